@@ -23,8 +23,18 @@ target_compile_options(moat_compiler INTERFACE -Wall -Wextra -Wpedantic -Wconver
 if(MOAT_WARNINGS_AS_ERRORS)
   target_compile_options(moat_compiler INTERFACE -Werror)
 endif()
+# Against overwritten memory: addresses are bound and read-only before main(), and functions of the C library check sizes.
+# Buffers on the stack are guarded in programs alone: GCC takes the library's options from its precompiled header.
+add_link_options(-Wl,-z,relro,-z,now)
+set(MOAT_GUARDED -fstack-protector-strong)
+set(MOAT_CHECKED_SIZES)
+if(NOT MOAT_SANITIZE AND NOT CMAKE_BUILD_TYPE STREQUAL Debug)
+  set(MOAT_CHECKED_SIZES _FORTIFY_SOURCE=2)
+endif()
 # Sanitizers must be in every object of a program, so they are not a property of one target.
 foreach(sanitizer IN LISTS MOAT_SANITIZE)
   add_compile_options(-fsanitize=${sanitizer} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${sanitizer})
+  # GCC 12 takes variables of <regex> that it instruments for uninitialised.
+  target_compile_options(moat_compiler INTERFACE -Wno-maybe-uninitialized)
 endforeach()

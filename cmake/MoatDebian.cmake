@@ -39,7 +39,8 @@ install(FILES ${CMAKE_BINARY_DIR}/debian/script_compile.txt ${CMAKE_BINARY_DIR}/
   DESTINATION ${_programs})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${_root} FILES_MATCHING PATTERN *.cpp
   PATTERN data/* PATTERN project/*)
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION share/doc/moat RENAME copyright)
+# The notices of moat, and of the code of others inside its programs.
+install(FILES ${CMAKE_CURRENT_LIST_DIR}/debian/copyright DESTINATION share/doc/moat)
 install(FILES ${CMAKE_CURRENT_LIST_DIR}/debian/completion DESTINATION share/bash-completion/completions RENAME moat)
 # Headers, for scripts, and for the launcher, which reads the fields of structs from them; and the command itself, which
 # the results of a study name as the command that goes on.

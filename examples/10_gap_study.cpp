@@ -8,7 +8,7 @@
 //     ./moat run examples/10_gap_study.cpp --sa 0.15g --probability 0.05 --out results/rare
 //     ./moat run examples/10_gap_study.cpp --records FOLDER_OF_RECORDS
 //
-// The first twenty .AT2 files of the folder are taken; without it synthetic pulses. Stopped at any moment, the study
+// The first twenty records of the folder are taken; without it synthetic pulses. Stopped at any moment, the study
 // goes on where it was when the same command is given again.
 #include <moat.hpp>
 
@@ -17,7 +17,7 @@ using namespace moat::units;
 
 int main(int argc, char** argv) {
   Script script{argc, argv, "Which gap makes pounding improbable"};
-  const std::string folder = script.text("records", "", "folder of .AT2 files; without it synthetic pulses are taken");
+  const std::string folder = script.text("records", "", "folder of records; without it synthetic pulses are taken");
   const Acceleration sa = script.acceleration("sa", 0.2 * g, "spectral acceleration at the period of isolation, 5 %");
   const double probability = script.number("probability", 0.1, "of pounding, that is accepted");
   const Time period = 2.5 * s;

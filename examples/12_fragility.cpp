@@ -8,7 +8,7 @@
 //     ./moat run examples/12_fragility.cpp --limit "2 cm" --out results/severe
 //     ./moat run examples/12_fragility.cpp --records FOLDER_OF_RECORDS
 //
-// Without a folder of .AT2 files synthetic pulses are taken.
+// Without a folder of records synthetic pulses are taken.
 #include <moat.hpp>
 
 using namespace moat;
@@ -16,7 +16,7 @@ using namespace moat::units;
 
 int main(int argc, char** argv) {
   Script script{argc, argv, "Fragility of a building in its moat"};
-  const std::string folder = script.text("records", "", "folder of .AT2 files; without it synthetic pulses are taken");
+  const std::string folder = script.text("records", "", "folder of records; without it synthetic pulses are taken");
   const Length gap = script.length("gap", 25 * cm, "clearance on each side");
   const Length limit = script.length("limit", 1.5 * cm, "drift of the first storey that is damage");
   const Time period = 2.5 * s;

@@ -15,7 +15,7 @@ using namespace moat::units;
 
 int main(int argc, char** argv) {
   Script script{argc, argv, "The weight on the bearings of a tower"};
-  const bool constant = script.text("weight", "changes", "on every bearing: changes, or constant") == "constant";
+  const bool constant = script.text("weight", "changes", "on every bearing", {"changes", "constant"}) == "constant";
   const Length gap = script.length("gap", 60 * cm, "clearance on each side");
 
   PlanBuilding tower{

@@ -52,8 +52,13 @@ struct HeatedUnderWeight {
       const double start = side * interval.start_deformation - start_limit / k0, end = side * deformation - limit / k0,
                    slope = side * interval.start_rate * h - (limit - start_limit) / k0, bend = end - start - slope;
       const bool inside = slope > 0.0 && slope + 2.0 * bend < 0.0;
-      const double at = inside ? -0.5 * slope / bend : 1.0, largest = inside ? start + 0.5 * slope * at : end;
-      if ((!inside && side * rate > 0.0) || largest <= side * committed.slider.slip) continue;
+      const double at = inside ? -0.5 * slope / bend : 1.0;
+      // The committed instant that is evaluated again sheds as its step did, from the slip at its end.
+      const bool goes_on = h == 0.0 && committed.sheds == side && axial.compression <= committed.compression;
+      const double largest = goes_on  ? side * committed.slider.slip + (start_limit - limit) / k0
+                             : inside ? start + 0.5 * slope * at
+                                      : end;
+      if (!goes_on && ((!inside && side * rate > 0.0) || largest <= side * committed.slider.slip)) continue;
       const double by_end = at * at, by_limit = side * at, sign = rate < 0.0 ? -1.0 : 1.0;
       if (at == 1.0) trial.sheds = static_cast<signed char>(side);
       trial.slider.slip = side * largest;
@@ -73,6 +78,7 @@ struct HeatedUnderWeight {
     HeatedSlidingIsolator::State ignored;
     if (state.sheds == 0) {
       const int direction = state.slider.direction;
+      if (direction == 0) return law.force_rate(state.slider, deformation, rate, second_rate) + by_spring;
       const HeatedSlidingIsolator::Surface surface = law.heat(state.slider, direction * rate, 0.0, ignored);
       return law.force_rate(state.slider, deformation, rate, second_rate) + by_spring +
              direction * (surface.coefficient + law.normal_force * surface.by_compression) * compression_rate;

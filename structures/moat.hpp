@@ -42,7 +42,8 @@ struct FlexibleWall {
   Required<Mass> mass;
   /// > 0 N/m of wall and soil behind it; or give `law`.
   Stiffness stiffness{};
-  /// >= 0 N s/m.
+  /// >= 0 N s/m. Without damping the wall rings after every hit, and small steps follow it; 2 ratio sqrt(k m) gives a
+  /// damping ratio.
   DampingCoefficient damping{};
   /// > 0 N at the height of the hit: the wall yields there; elastic if left out.
   Force yield_force{};

@@ -106,8 +106,7 @@ class Builder {
       const std::string name = "storey " + std::to_string(number);
       const PlanColumns& columns = building_.columns.of(number);
       const PlanOutline& outline = building_.outline.of(number);
-      storeys.push_back({prefix_ + name, i == 0 ? base_ : parts_.floors[i - 1].x, parts_.floors[i],
-                         building_.storey_height.of(number).si(),
+      storeys.push_back({prefix_ + name, below(i), parts_.floors[i], building_.storey_height.of(number).si(),
                          springs_of_storey(check_, columns, outline, prefix_ + name)});
       parts_.columns.push_back(column_positions(check_, columns, outline));
       add_springs(model_, storeys.back());

@@ -77,6 +77,10 @@ std::vector<StoreySpring> springs_of_storey(const Check& check, const PlanColumn
   int number = 0;
   for (const ColumnLine& line : columns.lines(check, outline)) {
     const std::string name = storey + " column " + std::to_string(++number);
+    check.that(line.column.stiffness == Stiffness{} ||
+                   (line.column.stiffness_x == Stiffness{} && line.column.stiffness_y == Stiffness{}),
+               name + ": stiffness is given, and stiffness_x or stiffness_y too.",
+               "Give one for both directions, or each.");
     check.not_negative(name + " stiffness along x", line.column.along_x());
     check.not_negative(name + " stiffness along y", line.column.along_y());
     add_both(line.at, line.column.along_x(), line.column.along_y(), name);

@@ -7,7 +7,10 @@
 #include <limits>
 #include <set>
 
+#include "analyses/case/available_memory.hpp"
+#include "analyses/case/case_assumptions.hpp"
 #include "analyses/case/case_warnings.hpp"
+#include "analyses/case/input_warnings.hpp"
 #include "analyses/modes/periods.hpp"
 #include "analyses/modes/torsion.hpp"
 #include "base/check.hpp"
@@ -20,47 +23,16 @@
 namespace moat {
 namespace {
 
-// Assumptions of every result.
-constexpr std::array general_assumptions{
-    "Displacements and velocities are relative to the ground, accelerations absolute; positive to the right.",
-    "A peak is the value of largest magnitude over continuous time, with its sign, also between steps and on both "
-    "sides of an event. Forces and deformations of springs are positive where the upper end moves to the right, "
-    "those of gaps where they are compressed.",
-    "clearance_left is the smallest opening of a gap over continuous time; negative: the two sides indented each "
-    "other by so much.",
-    "total_base_shear is the force of isolators and impacts together; sum_of_floor_inertia_maxima adds the "
-    "maxima of mass times absolute acceleration of base and floors, which are not simultaneous.",
-    "Energies are in the frame of the ground: input is the work of the ground's inertia forces on relative motion.",
-    "storey_shear is the elastic force of the columns, without that of the storey's damping; overturning_moment is the "
-    "moment of the elastic forces on all floors above a storey about its lower floor."};
-
-// Assumptions of results in plan, in place of those above.
-constexpr std::array plan_assumptions{
-    "Floors are rigid and move in plan: x to the right, y up, rotation counter-clockwise, displacements and velocities "
-    "relative to the ground, accelerations absolute. The flexibility of floors and the height of contacts are left "
-    "out.",
-    "Displacements are linear in rotations.",
-    "Resultants are those of simultaneous components; corner_displacement, corner_acceleration and corner_drift are "
-    "resultants at the corners of the outlines, their peaks the largest of all corners.",
-    "A peak is the value of largest magnitude over continuous time, with its sign, also between steps and on both "
-    "sides of an event. impact_force and indentation are positive where a contact is compressed; friction_force acts "
-    "along the edge, with the normal turned by +90 degrees.",
-    "clearance_left is the smallest opening of a gap over continuous time; negative: the two sides indented each "
-    "other by so much.",
-    "total_base_shear and total_base_torque, about the origin, are those of bearings and impacts together.",
-    "storey_shear_x, _y are elastic forces of columns, without damping; storey_torque is their torque about the centre "
-    "of "
-    "mass of the base, or of the lowest floor; overturning_moment_x, _y, named by the direction of the forces, are "
-    "moments of the elastic forces on all floors above a storey about its lower floor.",
-    "Contacts are points: corners with a normal law each, and Coulomb friction with an elastic grip before it slides.",
-    "Energies are in the frame of the ground: input is the work of the ground's inertia forces on relative motion."};
-
-// An assumption of buildings in plan without axial forces.
-constexpr const char* weight_is_constant =
-    "Vertical motion, rocking, uplift and the coupling of bearings with their vertical force are left out.";
-
-CaseOptions checked(CaseOptions options) {
+CaseOptions checked(CaseOptions options, const Model& model) {
   const Check check{"CaseOptions", options.title};
+  // memory_bounds_test.cpp holds it.
+  constexpr double bytes_per_degree_of_freedom = 20e3;
+  const double needed = bytes_per_degree_of_freedom * model.degrees_of_freedom(), available = available_memory();
+  check.that(needed <= available,
+             "a run of " + std::to_string(model.degrees_of_freedom()) +
+                 " degrees of freedom with its results needs about " + memory_text(needed) + ", and " +
+                 memory_text(available) + " of memory are available.",
+             "Take a machine with more memory, or a model with fewer nodes.");
   check.not_negative("history_interval", options.history_interval);
   check.positive("warn_above_energy_error", options.warn_above_energy_error, "1");
   return options;
@@ -122,7 +94,7 @@ MotionFacts facts_of(const GroundMotion& motion) {
 }  // namespace
 
 CaseRun::CaseRun(const Model& model, const GroundMotion& motion, CaseOptions options)
-    : options_{checked(std::move(options))},
+    : options_{checked(std::move(options), model)},
       periods_{characteristic_periods(model)},
       transient_{model, motion, options_.transient},
       peaks_{model},
@@ -145,19 +117,39 @@ void CaseRun::attach(StepObserver& observer) {
 }
 
 void CaseRun::run() {
+  const double interval = histories_.interval(), available = available_memory();
+  constexpr double least_for_histories = 64e6;
+  if (const double needed = histories_.fit(transient_.end_time(), std::max(0.5 * available, least_for_histories));
+      needed > 0.0)
+    thinned_histories_ = "Histories have a row every " + to_text(histories_.interval()) + " s instead of every " +
+                         to_text(interval) + " s, which would take " + memory_text(needed) + " of the " +
+                         memory_text(available) +
+                         " of memory that are available. Peaks, impacts and energies are those "
+                         "of all steps. An earlier end or more memory keeps all rows.";
   // After the observers of the script: a quantity that one of them offers is up to date when it is sampled.
   for (StepObserver* own :
        std::initializer_list<StepObserver*>{&energy_, &peaks_, &impacts_, &clearances_, &histories_})
     transient_.attach(*own);
   if (!offered_.list().empty()) transient_.attach(offered_peaks_);
   if (floor_spectra_.empty()) attach(own_floor_spectra_);
+  if (saved_) {
+    archive(*saved_);
+    saved_->require_end();
+    saved_.reset();
+  }
   transient_.run(stop_);
   stopped_ = !transient_.finished();
   if (stopped_) return;
-  run_companion();
+  if (!companion_done_) run_companion();
+  companion_done_ = true;
   contact_sensitivity_ =
       contact_sensitivity(transient_.model(), transient_.motion(), options_.transient, options_.contact_sensitivity,
-                          main_run(), changed_contacts_observer_, stop_);
+                          main_run(), changed_contacts_observer_, stop_, &contact_runs_);
+}
+
+void CaseRun::archive(StateArchive& archive) {
+  archive(thinned_histories_, transient_, companion_done_, companion_, about_companion_, companion_failure_,
+          companion_run_, contact_runs_);
 }
 
 PeaksAndImpacts CaseRun::main_run() const {
@@ -180,7 +172,8 @@ void CaseRun::run_companion() {
     const TransientOptions finer = companion_options(options_.transient, spent.longest_step);
     about_companion_ = companion_description(finer);
     try {
-      companion_ = compute_peaks(transient_.model(), transient_.motion(), finer, {companion_observer_}, stop_);
+      companion_ =
+          compute_peaks(transient_.model(), transient_.motion(), finer, {companion_observer_}, stop_, &companion_run_);
     } catch (const Error& error) {
       companion_failure_ = error.what();
       about_companion_ = "No error bars: the second run failed.";
@@ -209,11 +202,12 @@ CaseResult CaseRun::result_with(Table histories) const {
       .error_bars = {},
       .warnings = transient_.warnings(),
       .assumptions = transient_.assumptions()};
-  for (const auto& warnings :
-       {motion_warnings(motion), model_warnings(transient_.model()), collapse_warnings(result.peaks),
-        period_warnings(transient_.model()), strain_warnings(result.peaks),
-        plan_warnings(transient_.state(), result.peaks, result.impacts),
-        energy_warnings(result.energy, options_.warn_above_energy_error, options_.transient)})
+  if (!thinned_histories_.empty()) result.warnings.push_back(thinned_histories_);
+  for (const auto& warnings : {motion_warnings(motion), model_warnings(transient_.model()),
+                               collapse_warnings(result.peaks), period_warnings(transient_.model()),
+                               strain_warnings(result.peaks), wall_warnings(transient_.model(), result.peaks),
+                               plan_warnings(transient_.state(), result.peaks, result.impacts),
+                               energy_warnings(result.energy, options_.warn_above_energy_error, options_.transient)})
     result.warnings.insert(result.warnings.end(), warnings.begin(), warnings.end());
   const std::vector<std::string>& notes = transient_.model().notes();
   result.assumptions.insert(result.assumptions.end(), notes.begin(), notes.end());
@@ -228,31 +222,25 @@ CaseResult CaseRun::result_with(Table histories) const {
     first_rocking = std::min(first_rocking, weight.first_rocking());
   for (Peak& peak : result.peaks)
     if (peak.time >= first_rocking) peak.side += peak.side.empty() ? "rocked" : ", rocked";
-  std::ranges::move(drift_ratios(transient_.model(), result.peaks), std::back_inserter(result.peaks));
-  // Behind the errors: the companion does not know these peaks.
-  for (Peak& peak : offered_peaks_.peaks()) result.peaks.push_back(std::move(peak));
+  // Behind the errors: the companion does not know the peaks that recorders offered.
+  std::vector<Peak> ratios = drift_ratios(transient_.model(), result.peaks), of_recorders = offered_peaks_.peaks();
+  result.peaks.reserve(result.peaks.size() + ratios.size() + of_recorders.size());
+  for (std::vector<Peak>* more : {&ratios, &of_recorders}) std::ranges::move(*more, std::back_inserter(result.peaks));
   for (std::string& warning : offered_peaks_.warnings()) result.warnings.push_back(std::move(warning));
-  if (transient_.model().is_plan() && transient_.state().weights().empty())
-    result.assumptions.emplace_back(weight_is_constant);
-  else if (transient_.model().is_plan())
-    for (const Building& building : transient_.model().buildings())
-      if (!building.axial_forces && !building.shares_base)
-        result.assumptions.push_back("\"" + building.name + "\": " + weight_is_constant);
-  if (transient_.model().is_plan())
-    result.assumptions.insert(result.assumptions.end(), plan_assumptions.begin(), plan_assumptions.end());
-  else
-    result.assumptions.insert(result.assumptions.end(), general_assumptions.begin(), general_assumptions.end());
+  std::ranges::move(assumptions_of(transient_.model()), std::back_inserter(result.assumptions));
   return result;
 }
 
 void CaseRun::add_errors(CaseResult& result) const {
   if (companion_) {
     const double least_share = least_share_of_errors(transient_.model(), options_.transient);
-    PeaksAndImpacts main = main_run();
+    PeaksAndImpacts main{std::move(result.peaks), impacts_.impacts(), transient_.statistics(),
+                         std::move(result.clearances), transient_.collapsed()};
     result.error_bars =
-        estimate_errors(result.peaks, main.touches, *companion_, least_share,
-                        scales_of_run(result.peaks, transient_.model(), transient_.motion(), options_.transient));
+        estimate_errors(main.peaks, main.touches, *companion_, least_share,
+                        scales_of_run(main.peaks, transient_.model(), transient_.motion(), options_.transient));
     estimate_clearance_errors(main, *companion_, least_share);
+    result.peaks = std::move(main.peaks);
     result.clearances = std::move(main.clearances);
   }
   result.error_bars.companion = about_companion_;

@@ -33,7 +33,8 @@ enum class ErrorBarMode {
 struct CaseOptions {
   std::string title{};           ///< Reports show it.
   TransientOptions transient{};  ///< Options of the analysis: step, tolerance, end.
-  /// >= 0 s. Interval of the histories, which have rows exactly at its multiples; 0: that of the motion's samples.
+  /// >= 0 s. Interval of the histories, which have rows exactly at its multiples; 0: that of the motion's samples. Rows
+  /// that would take more than half of the memory that is available are thinned, with a warning.
   Time history_interval{};
   /// > 0. Integration error, and residual of the equations, as a fraction of the largest input or kinetic energy, above
   /// which there is a warning.
@@ -52,7 +53,8 @@ struct CaseOptions {
 /// If the companion (analyses/case/error_bars.hpp) fails, the result has no error bars and a warning with the reason.
 class CaseRun {
  public:
-  /// The model must outlive the run. Throws InputError for an option outside its range.
+  /// The model must outlive the run. Throws InputError for an option outside its range, and for a model that needs more
+  /// memory than is available.
   CaseRun(const Model& model, const GroundMotion& motion, CaseOptions options = {});
   CaseRun(const CaseRun&) = delete;
   CaseRun& operator=(const CaseRun&) = delete;
@@ -72,6 +74,16 @@ class CaseRun {
   /// The main run, then the companion and the runs with changed contacts. Throws as Transient::run does in the main
   /// run.
   void run();
+
+  /// Within `stop` of stop_when(): writes all from which a new run of the same model, motion, options and observers
+  /// goes on, bit for bit. Runs behind the main run are a part of it. Throws InputError for an observer or an element
+  /// that has no archive().
+  void archive(StateArchive& archive);
+  /// Before run(): it goes on from the state that archive() wrote in the same program. run() throws InputError where
+  /// that does not fit.
+  void go_on_from(StateArchive saved) { saved_ = std::move(saved); }
+  /// Returns the histories up to now, to read.
+  [[nodiscard]] const Table& histories() const { return histories_.table(); }
 
   [[nodiscard]] const Transient& transient() const { return transient_; }  ///< The analysis behind the case.
   /// All that was recorded up to now.
@@ -103,7 +115,11 @@ class CaseRun {
   StepObserver* companion_observer_ = nullptr;
   std::optional<PeaksAndImpacts> companion_;
   std::string about_companion_ = "No error bars: the run did not reach its end.";
-  std::string companion_failure_;
+  std::string companion_failure_, thinned_histories_;
+  bool companion_done_ = false;
+  RunUnderWay companion_run_;
+  ContactRuns contact_runs_;
+  std::optional<StateArchive> saved_;  // to go on from
   StepObserver* changed_contacts_observer_ = nullptr;
   ContactSensitivity contact_sensitivity_{.reason = "The run did not reach its end."};
 };

@@ -46,14 +46,14 @@ void for_each_gap(const Model& model, Function function) {
     for (std::size_t e = 0; block->kind().contacts && e < block->size(); ++e) function(block->info(e));
 }
 
-// The largest share of its clearance by which a gap came nearer to closing. In plan the distance of a corner is at most
-// that along the normal whenever it faces its edge.
+// The largest share of its clearance by which a gap came nearer to closing; 1 where bodies are wall to wall. In plan
+// the distance of a corner is at most that along the normal whenever it faces its edge.
 double nearest_approach(const Model& model, const std::vector<GapClearance>& clearances) {
   double nearest = 0.0;
   auto gap = clearances.begin();
   for_each_gap(model, [&](const ElementInfo& info) {
     if (gap == clearances.end()) return;
-    if (info.offset > 0.0) nearest = std::max(nearest, 1.0 - gap->left / info.offset);
+    nearest = std::max(nearest, info.offset > 0.0 ? 1.0 - gap->left / info.offset : 1.0);
     ++gap;
   });
   return nearest;
@@ -86,12 +86,12 @@ std::vector<std::pair<std::string, std::string>> contact_of(const Model& model, 
 
 void run_changed(ContactVariation& variation, ContactSensitivity& result, const Model& model,
                  const GroundMotion& motion, const TransientOptions& options, const PeaksAndImpacts& main,
-                 StepObserver* observer, const std::function<bool()>& stop) {
+                 StepObserver* observer, const std::function<bool()>& stop, RunUnderWay& under_way) {
   std::vector<Peak> peaks;
   try {
     const Model changed = with_contacts(model, change_of(variation));
     if (variation.parameter == "restitution") variation.restitutions = restitutions_of_contacts(changed);
-    PeaksAndImpacts run = compute_peaks(changed, motion, options, {observer}, stop);
+    PeaksAndImpacts run = compute_peaks(changed, motion, options, {observer}, stop, &under_way);
     if (run.collapsed)
       variation.failure = "the model collapsed.";
     else
@@ -120,7 +120,7 @@ bool contact_sensitivity_is_cheap(const Model& model, double solves, std::size_t
 
 ContactSensitivity contact_sensitivity(const Model& model, const GroundMotion& motion, const TransientOptions& options,
                                        ContactSensitivityMode mode, const PeaksAndImpacts& main, StepObserver* observer,
-                                       const std::function<bool()>& stop) {
+                                       const std::function<bool()>& stop, ContactRuns* runs) {
   ContactSensitivity result{.impacts = main.touches.size()};
   if (main.clearances.empty()) return result;
   const auto without_runs = [&](const std::string& reason) {
@@ -161,8 +161,14 @@ ContactSensitivity contact_sensitivity(const Model& model, const GroundMotion& m
                             .unit = peak.unit,
                             .value = peak.value,
                             .of_wall = std::ranges::find(walls, peak.where) != walls.end()});
-  for (ContactVariation& variation : result.changes)
-    run_changed(variation, result, model, motion, options, main, observer, stop);
+  ContactRuns new_runs;
+  if (runs == nullptr) runs = &new_runs;
+  if (runs->count > 0) result = runs->finished;
+  while (runs->count < result.changes.size()) {
+    run_changed(result.changes[runs->count], result, model, motion, options, main, observer, stop, runs->under_way);
+    runs->finished = result;
+    ++runs->count;
+  }
   result.computed = true;
   return result;
 }

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
+#include <memory>
 #include <string_view>
 
 #include "base/check.hpp"
@@ -68,9 +70,8 @@ std::vector<double> differences(const std::vector<Peak>& peaks, const std::vecto
   return list;
 }
 
-void set_errors(std::vector<Peak>& peaks, const std::vector<Peak>& companion, double factor, double least_share,
+void set_errors(std::vector<Peak>& peaks, const std::vector<double>& difference, double factor, double least_share,
                 const ScalesOfUnits& largest) {
-  const std::vector<double> difference = differences(peaks, companion);
   std::map<std::string, std::vector<double>> relative_of_unit;
   std::vector<double> relative_of_all;
   for (std::size_t i = 0; i < peaks.size(); ++i) {
@@ -94,12 +95,12 @@ void set_errors(std::vector<Peak>& peaks, const std::vector<Peak>& companion, do
   }
 }
 
-// The peaks, followed by the largest approach of the two sides of every gap, which is a displacement like others.
-std::vector<Peak> with_approaches(const PeaksAndImpacts& run) {
-  std::vector<Peak> peaks = run.peaks;
-  for (const GapClearance& gap : run.clearances)
-    peaks.push_back({"approach", gap.where, gap.clearance - gap.left, "m", gap.time});
-  return peaks;
+// The largest approach of the two sides of every gap, which is a displacement like others.
+std::vector<Peak> approaches_of(const std::vector<GapClearance>& gaps) {
+  std::vector<Peak> approaches;
+  for (const GapClearance& gap : gaps)
+    approaches.push_back({"approach", gap.where, gap.clearance - gap.left, "m", gap.time});
+  return approaches;
 }
 
 std::map<std::string_view, std::vector<Impact>> by_gap(std::span<const Impact> touches) {
@@ -208,7 +209,8 @@ std::string companion_description(const TransientOptions& companion) {
 }
 
 PeaksAndImpacts compute_peaks(const Model& model, const GroundMotion& motion, const TransientOptions& options,
-                              std::initializer_list<StepObserver*> observers, const std::function<bool()>& stop) {
+                              std::initializer_list<StepObserver*> observers, const std::function<bool()>& stop,
+                              RunUnderWay* under_way) {
   Transient transient{model, motion, options};
   PeakRecorder peaks{model};
   ImpactRecorder touches{false};
@@ -218,6 +220,11 @@ PeaksAndImpacts compute_peaks(const Model& model, const GroundMotion& motion, co
   transient.attach(clearances);
   for (StepObserver* observer : observers)
     if (observer != nullptr) transient.attach(*observer);
+  RunUnderWay alone;
+  if (under_way == nullptr) under_way = &alone;
+  const auto end = [](RunUnderWay* run) { run->end(); };
+  const std::unique_ptr<RunUnderWay, decltype(end)> until_the_end{under_way, end};
+  under_way->begin(transient);
   transient.run(stop);
   if (!transient.finished()) throw Error{"it was stopped."};
   return {peaks.peaks(), touches.impacts(), transient.statistics(), clearances.clearances(), transient.collapsed()};
@@ -250,7 +257,7 @@ ErrorBars estimate_errors(std::vector<Peak>& peaks, std::span<const Impact> touc
   const ImpactComparison impacts{touches, companion.touches};
   ScalesOfUnits of_unit = largest_of_units(peaks);
   for (const auto& [unit, scale] : scales) of_unit[unit] = std::max(of_unit[unit], scale);
-  set_errors(peaks, companion.peaks, factor_of(impacts), least_share, of_unit);
+  set_errors(peaks, differences(peaks, companion.peaks), factor_of(impacts), least_share, of_unit);
   ErrorBars bars;
   bars.checked = true;
   bars.companion_impacts = impacts.companion_count;
@@ -262,11 +269,20 @@ ErrorBars estimate_errors(std::vector<Peak>& peaks, std::span<const Impact> touc
 }
 
 void estimate_clearance_errors(PeaksAndImpacts& main, const PeaksAndImpacts& companion, double least_share) {
-  std::vector<Peak> approaches = with_approaches(main);
-  set_errors(approaches, with_approaches(companion), factor_of({main.touches, companion.touches}), least_share,
-             largest_of_units(approaches));
-  for (std::size_t i = 0; i < main.clearances.size(); ++i)
-    main.clearances[i].error = approaches[main.peaks.size() + i].error;
+  std::vector<Peak>& peaks = main.peaks;
+  std::vector<Peak> approaches = approaches_of(main.clearances);
+  std::vector<double> difference = differences(peaks, companion.peaks);
+  std::ranges::copy(differences(approaches, approaches_of(companion.clearances)), std::back_inserter(difference));
+  // Behind the peaks, of which large models have too many for a copy, and whose own errors stay.
+  const std::size_t count = peaks.size();
+  std::vector<double> own;
+  for (const Peak& peak : peaks) own.push_back(peak.error);
+  peaks.reserve(count + approaches.size());
+  std::ranges::move(approaches, std::back_inserter(peaks));
+  set_errors(peaks, difference, factor_of({main.touches, companion.touches}), least_share, largest_of_units(peaks));
+  for (std::size_t i = 0; i < main.clearances.size(); ++i) main.clearances[i].error = peaks[count + i].error;
+  peaks.erase(peaks.begin() + static_cast<std::ptrdiff_t>(count), peaks.end());
+  for (std::size_t i = 0; i < count; ++i) peaks[i].error = own[i];
 }
 
 double least_share_of_errors(const Model& model, const TransientOptions& options) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "analyses/case/run_under_way.hpp"
 #include "analyses/time_history/transient.hpp"
 #include "model/model.hpp"
 #include "motions/ground_motion.hpp"
@@ -34,6 +35,8 @@ struct PeaksAndImpacts {
   SolverStatistics solver;                 ///< steps, iterations, seconds
   std::vector<GapClearance> clearances{};  ///< of every gap
   bool collapsed = false;                  ///< Transient::collapsed()
+
+  void archive(auto& archive) { archive(peaks, touches, solver, clearances, collapsed); }  ///< StateArchive.
 };
 
 /// A large value of every SI unit, in that unit.
@@ -48,10 +51,10 @@ ScalesOfUnits scales_of_run(const std::vector<Peak>& peaks, const Model& model, 
                             const TransientOptions& options);
 
 /// Runs the model and returns its peaks and touches. The observers that are not null get every step. stop: asked
-/// before every step; true ends the run with an Error. Throws as Transient does.
+/// before every step; true ends the run with an Error. under_way: has the run until its end. Throws as Transient does.
 PeaksAndImpacts compute_peaks(const Model& model, const GroundMotion& motion, const TransientOptions& options,
                               std::initializer_list<StepObserver*> observers = {},
-                              const std::function<bool()>& stop = {});
+                              const std::function<bool()>& stop = {}, RunUnderWay* under_way = nullptr);
 
 /// Gives every peak of the main run its error: Richardson's estimate from the companion's peak, whose own error is at
 /// most a quarter,

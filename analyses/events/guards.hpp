@@ -18,6 +18,8 @@ class ChatterGuard {
 
   /// Throws Error that names the element, if one changed too often.
   void count(const AnalysisState& state, std::span<const RegimeChange> changes);
+  /// Writes or reads the counts.
+  void archive(auto& archive) { archive(window_start_, changes_of_); }
 
  private:
   int largest_per_second_;
@@ -36,6 +38,8 @@ class CollapseGuard {
   void look(const AnalysisState& state);
   /// Whether one was found.
   [[nodiscard]] bool collapsed() const { return !warning_.empty(); }
+  /// Writes or reads whether one was found.
+  void archive(auto& archive) { archive(warning_); }
   /// Names element and time; empty without a collapse.
   [[nodiscard]] const std::string& warning() const { return warning_; }
 

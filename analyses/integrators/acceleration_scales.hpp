@@ -58,6 +58,11 @@ class AccelerationScales {
   /// A step of h s was committed.
   void accepted(const AnalysisState& state, double h, GroundVector ground_acceleration);
 
+  /// Writes or reads all scales.
+  void archive(auto& archive) {
+    archive(touching_, touched_before_, any_touching_, step_of_fade_, fade_, values_, outside_contact_);
+  }
+
   /// The scale of every node, m/s^2, > 0.
   [[nodiscard]] const Vector& values() const { return values_; }
 

@@ -48,6 +48,10 @@ ExactMethod::ExactMethod(AnalysisState& state, double longest_step, double toler
 
 void ExactMethod::linearise() {
   state_->linearise(stiffness_, damping_, forces_at_rest_);
+  choose_system();
+}
+
+void ExactMethod::choose_system() {
   const MassMatrix& mass = state_->model().mass_matrix();
   const auto size = static_cast<Eigen::Index>(state_->model().degrees_of_freedom());
   auto known =
@@ -63,6 +67,15 @@ void ExactMethod::linearise() {
   system_ = &*known;
   offset_ = -forces_at_rest_.head(size);
   mass.solve(offset_.data());
+}
+
+// The system is a function of its matrices.
+void ExactMethod::archive(StateArchive& archive) {
+  bool has_system = system_ != nullptr;
+  archive(has_system, stiffness_, damping_, forces_at_rest_);
+  if (!archive.reads()) return;
+  system_ = nullptr;
+  if (has_system) choose_system();
 }
 
 double ExactMethod::propose() {

@@ -35,10 +35,12 @@ class ExactMethod final : public StepMethod {
   bool solve(const StepTask& task) override;
   void restart(bool) override { system_ = nullptr; }
   WorkRule work_rule() const override { return WorkRule::quadrature; }
+  void archive(StateArchive& archive) override;
   std::string description() const override { return "Exact steps while no gap is closed; in contact: "; }
 
  private:
   void linearise();
+  void choose_system();
 
   AnalysisState* state_;
   double longest_step_, tolerance_;  // s, 1

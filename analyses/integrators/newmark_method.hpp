@@ -34,6 +34,9 @@ class NewmarkMethod final : public StepMethod {
   std::vector<std::string> warnings() const override;
   void add_costs(SolverStatistics& statistics) const override;
   NewtonReport imbalance() const override { return last_report_; }
+  void archive(StateArchive& archive) override {
+    archive(equations_, newton_, control_, scheme_, acceleration_, last_report_, newton_iterations_);
+  }
 
  private:
   [[nodiscard]] std::vector<std::string> warnings_of_fixed_step() const;

@@ -63,6 +63,12 @@ class StepControl {
   /// Elements changed their regime at the committed state, or the ground stopped; `touched` if a gap closed.
   void restart(const AnalysisState& state, bool touched);
 
+  /// Writes or reads all that changes from step to step.
+  void archive(auto& archive) {
+    archive(scales_, halvings_, ramp_, planned_, since_event_, fewest_steps_per_contact_, largest_round_off_,
+            place_of_round_off_);
+  }
+
   /// Fewest steps any contact was divided into so far; infinite without contact.
   [[nodiscard]] double fewest_steps_per_contact() const { return fewest_steps_per_contact_; }
   /// Bound on the largest squared frequency with open gaps and initial stiffness, 1/s^2.

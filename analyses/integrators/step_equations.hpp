@@ -48,6 +48,14 @@ class StepEquations final : public NonlinearSystem {
     return scheme_.filters_corrections ? filtered_curve_.data() : nullptr;
   }
 
+  /// Writes or reads all that one step leaves for the next.
+  void archive(StateArchive& archive) {
+    archive(scheme_, tangent_, vertical_rate_, scales_, balanced_scales_, factorised_, factorised_velocity_weight_,
+            factorised_displacement_weight_, factorised_mass_share_, factorised_version_);
+    for (AtInstant* each : {&jerks_at_start_, &jerks_at_end_, &averaged_at_start_, &averaged_at_end_})
+      archive(each->time, each->values);
+    factorisation_.archive(archive, tangent_);
+  }
   /// How often the tangent has been factorised.
   [[nodiscard]] long factorisations() const { return factorisation_.count(); }
 

@@ -12,7 +12,8 @@ namespace moat {
 EffectiveProperties effective_properties(std::span<const double> deformations, std::span<const double> forces) {
   const Check check{"EffectiveProperties", ""};
   check.that(deformations.size() == forces.size(), "there are different numbers of deformations and forces.");
-  check.that(deformations.size() >= 3, "a loop needs at least three points.");
+  check.that(deformations.size() >= 3, "a loop needs at least three points.",
+             "Give some hundred points of one full cycle.");
   const auto [least, largest] = std::ranges::minmax_element(deformations);
   check.that(*least < *largest, "the loop has no width.", "Give the deformations and forces of one full cycle.");
   const auto force_at = [&](auto where) { return forces[static_cast<std::size_t>(where - deformations.begin())]; };

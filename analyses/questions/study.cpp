@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "analyses/case/available_memory.hpp"
 #include "analyses/case/case_warnings.hpp"
 #include "analyses/case/error_bars.hpp"
 #include "base/check.hpp"
@@ -79,6 +80,19 @@ class Progress {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+/// All results of a study are in memory, also those that its file had.
+void require_memory(const StudyCases& cases, const StudyOptions& options) {
+  // With some 50 results each.
+  constexpr double bytes_per_case = 11e3, bytes_per_open_case = 500.0;
+  const auto all = static_cast<double>(cases.count());
+  const double computed = options.part ? static_cast<double>(options.part->second - options.part->first) : all;
+  const double needed = bytes_per_open_case * all + bytes_per_case * computed, available = available_memory();
+  Check{"Study", ""}.that(needed <= available,
+                          std::to_string(cases.count()) + " cases need about " + memory_text(needed) + ", and " +
+                              memory_text(available) + " of memory are available.",
+                          "Give the axes fewer values, or make several studies of them.");
+}
+
 std::vector<CaseOutcome> compute_outcomes(const StudyCases& cases, const ComputeCase& compute,
                                           const StudyOptions& options) {
   std::vector<ComputeCase> workers(threads_of(options),
@@ -87,12 +101,14 @@ std::vector<CaseOutcome> compute_outcomes(const StudyCases& cases, const Compute
     if (options.ranks->rank() > 0) return compute_for_first_rank(*options.ranks, cases, compute);
     for (int rank = 1; rank < options.ranks->count(); ++rank) workers.push_back(computed_on(*options.ranks, rank));
   }
+  require_memory(cases, options);
   std::vector<CaseOutcome> outcomes =
       options.store != nullptr ? options.store->outcomes() : std::vector<CaseOutcome>(cases.count());
   const std::vector<std::size_t> numbers = open_numbers(outcomes, options);
   Progress progress{outcomes, numbers.size()};
   const auto finished = [&](std::size_t number, CaseOutcome&& outcome) {
     if (options.store != nullptr) options.store->write(number, outcome);
+    outcome.results.shrink_to_fit();
     outcomes[number] = std::move(outcome);
     const StudyProgress& now = progress.finished(outcomes[number]);
     if (options.progress) options.progress(now);
@@ -135,12 +151,10 @@ std::vector<FileRead> files_of(const GroundMotion& motion) {
   return files;
 }
 
-/// Returns the hash of the files of a motion, or of its samples if it was made in the program.
+/// Returns the hash of a motion: of its files, and of its samples, because files say nothing of scale and filters.
 std::string hash_of(const GroundMotion& motion) {
-  std::string hashes;
-  for (const FileRead& file : files_of(motion)) hashes += file.sha256;
-  if (!hashes.empty()) return sha256_of(hashes);
   std::string bytes;
+  for (const FileRead& file : files_of(motion)) bytes += file.sha256;
   const auto add = [&](std::span<const double> numbers) {
     bytes.append(reinterpret_cast<const char*>(numbers.data()), numbers.size_bytes());
   };
@@ -157,13 +171,10 @@ CaseOutcome outcome_of_model(const Model& model, const GroundMotion& motion, con
   if (options.energies) energy.emplace();
   std::optional<FloorSpectra> floors;
   if (options.floor_spectra) floors.emplace(*options.floor_spectra);
-  // Without impacts the total base shear says the same.
-  std::optional<IsolatorForces> isolators;
-  if (std::ranges::any_of(model.blocks(), [](const auto& block) { return block->kind().contacts; }))
-    isolators.emplace(model);
-  PeaksAndImpacts main =
-      compute_peaks(model, motion, options.transient,
-                    {energy ? &*energy : nullptr, floors ? &*floors : nullptr, isolators ? &*isolators : nullptr});
+  // The total base shear has the forces of dampers and impacts, too.
+  IsolatorForces isolators{model};
+  PeaksAndImpacts main = compute_peaks(model, motion, options.transient,
+                                       {energy ? &*energy : nullptr, floors ? &*floors : nullptr, &isolators});
   double unsettled = std::numeric_limits<double>::quiet_NaN();
   // Peaks of a fall depend on where it is stopped.
   if (options.error_bars && !main.collapsed) {
@@ -185,9 +196,7 @@ CaseOutcome outcome_of_model(const Model& model, const GroundMotion& motion, con
     record.push_back({peak.quantity, peak.where, peak.unit, peak.magnitude()});
     if (options.error_bars) record.push_back({peak.quantity + "_error", peak.where, peak.unit, peak.error});
   }
-  if (isolators)
-    for (const Peak& peak : isolators->peaks())
-      record.push_back({peak.quantity, peak.where, peak.unit, peak.magnitude()});
+  for (const Peak& peak : isolators.peaks()) record.push_back({peak.quantity, peak.where, peak.unit, peak.magnitude()});
   for (const GapClearance& gap : main.clearances) {
     record.push_back({"clearance_left", gap.where, "m", gap.left});
     if (options.error_bars) record.push_back({"clearance_left_error", gap.where, "m", gap.error});
@@ -215,9 +224,7 @@ StudyAxis record_axis(std::string name, const std::vector<PlanMotion>& pairs) {
   std::vector<std::string> names;
   for (const PlanMotion& pair : pairs) names.push_back(pair.first.name() + " + " + pair.second.name());
   StudyAxis axis = StudyAxis::of_names(std::move(name), std::move(names));
-  for (const PlanMotion& pair : pairs)
-    axis.hashes.push_back(sha256_of(hash_of(pair.first) + hash_of(pair.second) +
-                                    (pair.vertical ? hash_of(*pair.vertical) : std::string{})));
+  for (const PlanMotion& pair : pairs) axis.hashes.push_back(hash_of(pair.resolved()));
   return axis;
 }
 

@@ -95,10 +95,10 @@ StudyResult run_study(const StudyCases& cases, const std::function<StudyRecord(c
                       const StudyOptions& options = {});
 
 /// Computes the models of a study in the same way. The results are the magnitudes of all peaks, as PeakRecorder names
-/// them. Models with gaps also have the `total_isolator_force` of every building (IsolatorForces), the `clearance_left`
-/// of every gap (negative: indented by so much), and the number of `impacts`. `collapsed` is 1 where a storey or an
-/// isolator was deformed by more than 3 m or a collapse ended the analysis, else 0. With StudyOptions::error_bars there
-/// are also the errors of peaks and clearances:
+/// them, and the `total_isolator_force` of every building on isolators (IsolatorForces). Models with gaps also have the
+/// `clearance_left` of every gap (negative: indented by so much), and the number of `impacts`. `collapsed` is 1 where a
+/// storey or an isolator was deformed by more than 3 m or a collapse ended the analysis, else 0. With
+/// StudyOptions::error_bars there are also the errors of peaks and clearances:
 ///
 ///     result.values("impact_force", "moat");           // N
 ///     result.values("impact_force_error", "moat");     // N, the first holds to +- this

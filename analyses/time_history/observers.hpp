@@ -28,6 +28,10 @@ class Observers {
   }
   /// After the last step. All are finished, also if one of them throws; the first exception goes on.
   void finish(const StepView& view) const;
+  /// Writes or reads all observers in their order.
+  void archive(StateArchive& archive) const {
+    for (const Follower& each : followers_) each.observer->archive(archive);
+  }
 
  private:
   struct Follower {

@@ -36,6 +36,8 @@ class StepGrid {
   /// After its last sample the ground is at rest. Its acceleration jumps to zero; it does not decrease linearly. False
   /// if it is zero already.
   bool end_motion();
+  /// Writes or reads the ground at the committed state.
+  void archive(auto& archive) { archive(ground_, motion_ended_); }
 
  private:
   [[nodiscard]] StepTask task(double start, double end, double length) const;

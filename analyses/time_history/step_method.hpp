@@ -72,6 +72,9 @@ class StepMethod {
   virtual void add_costs(SolverStatistics&) const {}
   /// Returns where and how far forces are out of balance, after a solve() that did not converge.
   [[nodiscard]] virtual NewtonReport imbalance() const { return {}; }
+
+  /// Writes all that one step leaves for the next, or reads it back into a method of the same model and settings.
+  virtual void archive(StateArchive& archive) = 0;
 };
 
 /// The methods of an analysis.

@@ -10,27 +10,53 @@
 #include "analyses/time_history/model_checks.hpp"
 #include "base/check.hpp"
 #include "base/error.hpp"
+#include "base/sha256.hpp"
+#include "base/text/rows.hpp"
 #include "motions/vertical_motion.hpp"
 
 namespace moat {
 namespace {
 
-// Warnings of rubber whose critical load fell, with its displacement, below a weight that is constant.
+// A warning of rubber whose critical load fell, with its displacement, below a weight that is constant.
 void warn_of_unstable_rubber(const AnalysisState& state, std::vector<std::string>& list) {
   const auto& blocks = state.model().blocks();
+  std::string first;
+  int others = -1;
   for (std::size_t b = 0; b < blocks.size(); ++b)
     for (std::size_t e = 0; e < blocks[b]->size(); ++e) {
-      const std::vector<Parameter> given = blocks[b]->law(e).parameters;
-      const auto weight = std::ranges::find(given, "weight", &Parameter::name);
       const auto quantities = blocks[b]->quantities(e);
       const auto critical = std::ranges::find(quantities, "critical_load", &ReportedQuantity::name);
-      if (weight == given.end() || critical == quantities.end()) continue;
+      if (critical == quantities.end()) continue;
+      const double weight = parameter_of(blocks[b]->law(e).parameters, "weight");
       const double load =
           state.elements(b).law_quantity(e, static_cast<std::size_t>(critical - quantities.begin())).value;
-      if (weight->value > load)
-        list.push_back("\"" + blocks[b]->info(e).name + "\" became unstable: its weight of " + to_text(weight->value) +
-                       " N exceeds the critical load of the displaced rubber, " + to_text(load) + " N.");
+      if (weight <= load) continue;
+      if (++others == 0)
+        first = "\"" + blocks[b]->info(e).name + "\" became unstable: its weight of " + to_text(weight) +
+                " N exceeds the critical load of the displaced rubber, " + to_text(load) + " N.";
     }
+  if (others > 0) first += " So did " + std::to_string(others) + (others == 1 ? " other." : " others.");
+  if (!first.empty()) list.push_back(std::move(first));
+}
+
+// Names and numbers by which the analysis that wrote a state is known again.
+std::string identity_of(const Transient& transient) {
+  const Model& model = transient.model();
+  std::string text;
+  for (int i = 0; i < model.nodes(); ++i)
+    text.append(model.node_name(model.node(i))).append(to_text(model.mass(model.node(i))));
+  for (const auto& block : model.blocks())
+    for (std::size_t e = 0; e < block->size(); ++e) {
+      const LawAsGiven law = block->law(e);
+      text += block->info(e).name + law.name + to_text(block->info(e).offset);
+      for (const Parameter& each : law.parameters) text.append(each.name).append(to_text(each.value));
+    }
+  const GroundMotion& motion = transient.motion();
+  for (const double number :
+       {motion.time_step(), motion.duration(), motion.peak_acceleration().si(), transient.end_time()})
+    text += to_text(number) + ",";
+  for (const std::string& each : transient.assumptions()) text += each;
+  return sha256_of(text);
 }
 
 double process_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
@@ -101,8 +127,10 @@ void Transient::take_and_report_step() {
   // that does not happen where it is located, is passed by a whole step.
   constexpr int most_vain_cuts = 8;
   const long events = statistics_.events;
-  const bool cuts = seen.crossed && options_.events == EventTreatment::located &&
-                    !is_located(seen, step_.location_tolerance()) && vain_cuts_ < most_vain_cuts;
+  const bool is_inside =
+      seen.crossed && options_.events == EventTreatment::located && !is_located(seen, step_.location_tolerance());
+  const bool cuts = is_inside && vain_cuts_ < most_vain_cuts;
+  if (is_inside && !cuts) ++statistics_.passed_changes;
   if (cuts) h = locate_change(step_, h, seen);
   commit(step_.first_part(h));
   observers_.step(view(h == step_.whole().length));
@@ -171,6 +199,18 @@ void Transient::run(const std::function<bool()>& stop) {
   end();
 }
 
+void Transient::archive(StateArchive& archive) {
+  archive.require_same(identity_of(*this), "The saved state is that of another model, motion or method.");
+  if (archive.reads()) observers_.start(view(true));
+  archive(state_, statistics_, grid_, chatter_, collapse_, vain_cuts_);
+  auto method = std::ranges::find(methods_.by_preference, method_, &std::unique_ptr<StepMethod>::get) -
+                methods_.by_preference.begin();
+  archive(method);
+  method_ = methods_.by_preference.at(static_cast<std::size_t>(method)).get();
+  for (const auto& each : methods_.by_preference) each->archive(archive);
+  observers_.archive(archive);
+}
+
 SolverStatistics Transient::statistics() const {
   SolverStatistics sum = statistics_;
   for (const auto& method : methods_.by_preference) method->add_costs(sum);
@@ -208,6 +248,11 @@ std::vector<std::string> Transient::warnings() const {
   std::vector<std::string> list;
   if (collapse_.collapsed()) list.push_back(collapse_.warning());
   warn_of_unstable_rubber(state_, list);
+  if (statistics_.passed_changes > 0)
+    list.push_back(
+        counted(statistics_.passed_changes, "change") +
+        " of regime could not be located: several cuts in succession did not reach the change, and a whole step "
+        "passed it. Try a smaller step.");
   for (const WeightOnBearings& weight : state_.weights()) {
     const std::string building = weight.building().empty() ? "The building" : "\"" + weight.building() + "\"";
     if (weight.rocking_time() > 0.0)

@@ -65,6 +65,11 @@ class Transient {
   /// step; true ends the run there.
   void run(const std::function<bool()>& stop = {});
 
+  /// Between two steps: writes the analysis with all its observers, or reads it back. The analysis that reads it has
+  /// the same model, motion and options, and the same observers in the same order; it then goes on bit for bit. Throws
+  /// InputError where these differ, and for an observer or an element that has no archive().
+  void archive(StateArchive& archive);
+
   [[nodiscard]] const Model& model() const { return state_.model(); }    ///< The model that is analysed.
   [[nodiscard]] const AnalysisState& state() const { return state_; }    ///< At the time reached.
   [[nodiscard]] const GroundMotion& motion() const { return *motion_; }  ///< As it is applied.

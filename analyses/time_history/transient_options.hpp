@@ -18,9 +18,8 @@ enum class EventTreatment {
   located,
   /// The step is accepted as it is. Every element that is beyond its margin at the end of the step changes its regime
   /// there. The number of steps does not grow with the number of gaps, and accuracy is lost. A touch is found up to a
-  /// step too late, when the bodies already overlap, and a contact that begins and ends within one step is missed. With
-  /// default tolerances peaks of streets were off by up to 7 %, rebounds by 4 % (docs/verification/random_models.md,
-  /// "Streets").
+  /// step too late, when the bodies already overlap, and a contact that begins and ends within one step is missed. The
+  /// loss in streets of buildings stands in docs/verification/random_models.md, "Streets".
   at_end_of_step,
 };
 

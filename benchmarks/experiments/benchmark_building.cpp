@@ -25,7 +25,7 @@ std::string benchmark_building(const Folders&) {
       {"linear bearings", benchmark.from_matrices(), false, true, testing::without_walls},
       {"linear bearings, walls", benchmark.from_matrices(), true, true, testing::with_walls},
       {"lead-rubber bearings", benchmark.on_lead_rubber(), false, false, testing::on_lead_rubber}};
-  std::vector<std::string> titles{"given / moat, SI units"}, touches{"touches of corners"};
+  std::vector<std::string> titles{"given / moat, SI units"}, impacts{"impacts of corners"};
   std::vector<std::vector<std::string>> rows;
   double worst = 0.0;
   for (const auto& [name, building, has_walls, has_dashpots, expected] : variants) {
@@ -41,9 +41,10 @@ std::string benchmark_building(const Folders&) {
       line->push_back(to_significant(value, 7) + " / " + to_significant(found, 7));
     }
     titles.push_back(name);
-    touches.push_back(has_walls ? "9 / " + std::to_string(result.impacts.size()) : "");
+    impacts.push_back(
+        has_walls ? std::to_string(testing::impacts_with_walls) + " / " + std::to_string(result.impacts.size()) : "");
   }
-  rows.push_back(touches);
+  rows.push_back(impacts);
   std::string text = heading(titles);
   for (std::vector<std::string>& line : rows) {
     line.resize(titles.size());

@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "documentation_section.hpp"
 #include "experiments/sections.hpp"
+#include "peers/opensees.hpp"
 
 namespace moat::experiments {
 namespace {
@@ -21,6 +22,8 @@ struct Part {
 };
 
 void run(const Folders& folders, bool write_docs) {
+  if (write_docs && !peers::OpenSees::find(folders.out / "opensees"))
+    throw InputError{"--write-docs needs OpenSees (OPENSEES): without it the yielding building would lose a column."};
   for (const auto& [name, folder, compare] : {Part{"buffalo", "buffalo", buffalo}, Part{"kharaz", "kharaz", kharaz},
                                               Part{"yielding building", "smart_base_isolated", yielding_building},
                                               Part{"benchmark building", "smart_base_isolated", benchmark_building}}) {

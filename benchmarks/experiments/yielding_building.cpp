@@ -1,11 +1,11 @@
 #include "experiments/yielding_building.hpp"
 
-#include <cmath>
 #include <numbers>
 #include <string>
 
 #include "benchmark_building.hpp"
 #include "experiments/sections.hpp"
+#include "measuring/five_peaks.hpp"
 #include "peers/opensees.hpp"
 #include "solvers/modes.hpp"
 
@@ -62,9 +62,7 @@ std::string yielding_building(const Folders& folders) {
   const GroundMotion motion = testing::newhall(false).scaled_by(2.0);
   const CaseResult result = run_case(building.model, motion, {.error_bars = ErrorBarMode::never});
   const auto peak = [&](const char* quantity, const char* where) {
-    for (const Peak& each : result.peaks)
-      if (each.quantity == quantity && each.where == where) return each.magnitude();
-    return std::nan("");
+    return performance::peak_of(result, quantity, where);
   };
   const std::vector<double> of_moat{peak("displacement", "base"), peak("displacement", "floor 3"),
                                     peak("absolute_acceleration", "base"), peak("absolute_acceleration", "floor 3")};

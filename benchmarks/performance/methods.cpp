@@ -94,20 +94,23 @@ Ladder arkode(const Case& of, SundialsMethod method, const std::string& name) {
 std::vector<Ladder> methods(const Case& of, const std::optional<peers::OpenSees>& opensees) {
   namespace names = method_names;
   const MoatRun peaks = [&of](const TransientOptions& options) { return moat_peaks(of.model, of.motion, options); };
-  const auto everything = [&of](ErrorBarMode error_bars) -> MoatRun {
-    return [&of, error_bars](const TransientOptions& options) {
-      return moat_case(of.model, of.motion, options, error_bars);
+  const auto everything = [&of](ErrorBarMode error_bars,
+                                ContactSensitivityMode sensitivity = ContactSensitivityMode::never) -> MoatRun {
+    return [&of, error_bars, sensitivity](const TransientOptions& options) {
+      return moat_case(of.model, of.motion, options, error_bars, sensitivity);
     };
   };
-  std::vector<Ladder> list{moat_adaptive(names::moat_adaptive, peaks),
-                           moat_adaptive(names::moat_recorded, everything(ErrorBarMode::never)),
-                           moat_adaptive(names::moat_checked, everything(ErrorBarMode::always)),
-                           moat_fixed(of, Newmark::average_acceleration(), peaks),
-                           moat_fixed(of, Newmark::fourth_order(), peaks),
-                           moat_exact(names::moat_exact, peaks),
-                           moat_exact(names::moat_exact_recorded, everything(ErrorBarMode::never)),
-                           arkode(of, SundialsMethod::zonneveld_4, "Zonneveld"),
-                           arkode(of, SundialsMethod::dormand_prince_5, "Dormand-Prince")};
+  std::vector<Ladder> list{
+      moat_adaptive(names::moat_adaptive, peaks),
+      moat_adaptive(names::moat_recorded, everything(ErrorBarMode::never)),
+      moat_adaptive(names::moat_checked, everything(ErrorBarMode::always)),
+      moat_adaptive(names::moat_varied, everything(ErrorBarMode::always, ContactSensitivityMode::always)),
+      moat_fixed(of, Newmark::average_acceleration(), peaks),
+      moat_fixed(of, Newmark::fourth_order(), peaks),
+      moat_exact(names::moat_exact, peaks),
+      moat_exact(names::moat_exact_recorded, everything(ErrorBarMode::never)),
+      arkode(of, SundialsMethod::zonneveld_4, "Zonneveld"),
+      arkode(of, SundialsMethod::dormand_prince_5, "Dormand-Prince")};
   if (opensees)
     for (const peers::OpenSeesSetting& setting : peers::opensees_settings())
       list.push_back(opensees_ladder(names::opensees, *opensees, of, setting));

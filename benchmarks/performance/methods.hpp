@@ -13,8 +13,9 @@ namespace moat::performance {
 namespace method_names {
 inline constexpr const char *moat_adaptive = "moat adaptive",
                             *moat_recorded = "moat adaptive, everything a script records",
-                            *moat_checked = "moat adaptive, everything and error bars", *moat_fixed = "moat fixed step",
-                            *moat_exact = "moat exact between events",
+                            *moat_checked = "moat adaptive, everything and error bars",
+                            *moat_varied = "moat adaptive, everything, error bars and sensitivity",
+                            *moat_fixed = "moat fixed step", *moat_exact = "moat exact between events",
                             *moat_exact_recorded = "moat exact between events, everything a script records",
                             *arkode = "ARKODE", *opensees = "OpenSees";
 }

@@ -63,8 +63,9 @@ Peaks moat_peaks(const Model& model, const GroundMotion& motion, const Transient
 }
 
 Peaks moat_case(const Model& model, const GroundMotion& motion, const TransientOptions& options,
-                ErrorBarMode error_bars) {
-  const CaseResult result = run_case(model, motion, {.transient = options, .error_bars = error_bars});
+                ErrorBarMode error_bars, ContactSensitivityMode sensitivity) {
+  const CaseResult result =
+      run_case(model, motion, {.transient = options, .error_bars = error_bars, .contact_sensitivity = sensitivity});
   return {peak_of(result, "displacement", "base"), peak_of(result, "displacement", "floor 5"),
           peak_of(result, "absolute_acceleration", "base"), peak_of(result, "absolute_acceleration", "floor 5"),
           peak_of(result, "impact_force", "moat")};

@@ -10,8 +10,8 @@ namespace moat::performance {
 Peaks moat_peaks(const Model& model, const GroundMotion& motion, const TransientOptions& options);
 
 /// Runs a case as a script does, up to its results in memory: CaseRun with peaks, energy ledger, impacts, histories,
-/// periods and, as an option, the second run for error bars.
+/// periods and, as options, the second run for error bars and the runs with changed contacts.
 Peaks moat_case(const Model& model, const GroundMotion& motion, const TransientOptions& options,
-                ErrorBarMode error_bars);
+                ErrorBarMode error_bars, ContactSensitivityMode sensitivity = ContactSensitivityMode::never);
 
 }  // namespace moat::performance

@@ -45,6 +45,8 @@ class ContactLog {
     if (contact.touching) view.expected_force = std::numbers::pi * effective_mass * speed_of_law / contact.duration;
     return view;
   }
+  /// Writes or reads all contacts.
+  void archive(auto& archive) { archive(contacts_, count_); }
   /// The duration of the shortest one in progress, s; infinite without one.
   [[nodiscard]] double shortest() const {
     double shortest = std::numeric_limits<double>::infinity();

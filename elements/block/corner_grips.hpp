@@ -196,6 +196,12 @@ class CornerGrips {
       }
     return shortest;
   }
+  /// Writes or reads all that changes.
+  void archive(auto& archive) {
+    for (Corner& corner : corners_)
+      archive(corner.now, corner.start, corner.slide_begin, corner.energy, corner.speed_at_touch, corner.misses,
+              corner.gap, corner.departures);
+  }
   /// Completes the view of a contact.
   void complete(std::size_t i, ContactView& view) const {
     const Corner& corner = corners_[i];

@@ -73,6 +73,8 @@ class LinkEnergies {
   void release(std::size_t link, double energy) {
     if (kept_) accounts_[link].dissipated += energy;
   }
+  /// Writes or reads all accounts.
+  void archive(auto& archive) { archive(kept_, accounts_, loads_); }
   /// `stored` J is the link's energy now.
   [[nodiscard]] ElementEnergy energy(std::size_t link, double stored) const {
     const Account& account = accounts_[link];

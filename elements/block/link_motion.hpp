@@ -18,6 +18,7 @@ struct LinkMotion {
   void resize(std::size_t count) {
     for (auto* values : {&deformations, &rates, &second_rates}) values->resize(count, Vector{});
   }
+  void archive(auto& archive) { archive(deformations, rates, second_rates); }  ///< StateArchive.
 };
 
 /// The axial forces of all links of a block at one instant; empty for laws that take none.
@@ -28,6 +29,7 @@ struct LinkCompressions {
   void resize(std::size_t count) {
     for (auto* each : {&values, &rates}) each->resize(count, 0.0);
   }
+  void archive(auto& archive) { archive(values, rates); }  ///< StateArchive.
 };
 
 /// The compression of one link from one instant to another, `step` s later.

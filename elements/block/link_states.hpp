@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "elements/block/contact_log.hpp"
@@ -17,9 +18,6 @@
 #include "model/element_block.hpp"
 
 namespace moat {
-
-/// A member that a block does not need.
-struct Nothing {};
 
 /// The states of a LinkBlock of this law and these ends: their motion, forces and accounts.
 template <class Block, class Law, class Ends>
@@ -34,7 +32,7 @@ class LinkStates final : public ElementStates {
   static constexpr bool takes_axial_force = LinkStep<Law>::takes_axial_force;
   // Energies alone need the motion at the last commit of such a law, and nobody the one before.
   static constexpr bool has_constant_tangents = !in_plan && LawWithConstantTangents<Law>;
-  // The force of such a law has corners inside steps, which nobody locates.
+  // Forces of such a law have corners inside steps, which nobody locates.
   static constexpr bool has_unlocated_corners = in_plan || !(has_constant_tangents || LawWithRegimes<Law>);
 
  public:
@@ -47,8 +45,7 @@ class LinkStates final : public ElementStates {
     }
     if constexpr (!in_plan)
       for (const ElementInfo& info : block.infos()) offsets_.push_back(info.offset);
-    committed_.resize(count);
-    trial_.resize(count);
+    for (std::vector<State>* states : {&committed_, &trial_}) states->resize(count);
     for (LinkMotion<Vector>* motion : {&now_, &start_, &before_}) motion->resize(count);
     answers_.resize(count);
     for (std::vector<Vector>* values : {&forces_, &force_rates_}) values->resize(count, Vector{});
@@ -71,8 +68,7 @@ class LinkStates final : public ElementStates {
     const Vector *start_deformations = start_.deformations.data(), *start_rates = start_.rates.data();
     State* __restrict trial = trial_.data();
     Answer* __restrict answers = answers_.data();
-    Vector* __restrict deformations = now_.deformations.data();
-    Vector* __restrict rates = now_.rates.data();
+    Vector* __restrict deformations = now_.deformations.data(), * __restrict rates = now_.rates.data();
     Vector* __restrict forces = forces_.data();
     const std::size_t count = ends_.size();
     const LinkStep<Law> trial_end = trial_step(step);
@@ -224,8 +220,7 @@ class LinkStates final : public ElementStates {
     if constexpr (has_regimes) {
       for (std::size_t i = 0; i < ends_.size(); ++i) {
         const double deformation = start_.deformations[i], rate = start_.rates[i];
-        // One change may be followed at once by another (a touch that is already separating). Three changes cover every
-        // phase.
+        // One change may be followed at once by another: a touch that already separates. Three cover every phase.
         const Law& law = block_->laws()[i];
         for (int count = 0;
              count < 3 && LinkStep<Law>::margin_at(law, committed_[i], committed_[i], deformation, rate) < 0.0;
@@ -253,6 +248,10 @@ class LinkStates final : public ElementStates {
     if constexpr (is_contact) shortest = contacts_.shortest();
     if constexpr (is_corner) shortest = std::min(shortest, grips_.shortest_contact(contacts_));
     return shortest;
+  }
+  void archive(StateArchive& archive) override {
+    archive(committed_, trial_, now_, start_, before_, answers_, start_answers_, forces_, force_rates_, compressions_,
+            start_compressions_, before_compressions_, energies_, contacts_, grips_, step_, last_step_);
   }
 
  private:
@@ -287,14 +286,14 @@ class LinkStates final : public ElementStates {
   std::vector<typename Ends::Slots> slots_;
   std::vector<double> offsets_;  // m, of deformations with one component
   std::vector<State> committed_, trial_;
-  LinkMotion<Vector> now_, start_, before_;      // at the last evaluate(), at the last commit, and at the one before
+  // At the last evaluate(), at the last commit, and at the one before.
+  LinkMotion<Vector> now_, start_, before_;
+  LinkCompressions compressions_, start_compressions_, before_compressions_;
   std::vector<Answer> answers_, start_answers_;  // of the last evaluate(), and of laws with corners at the last commit
   std::vector<Vector> forces_, force_rates_;     // of the last evaluate(), N, N/s
-  // At the last evaluate(), at the last commit, and at the one before.
-  LinkCompressions compressions_, start_compressions_, before_compressions_;
   LinkEnergies<Law> energies_;
-  std::conditional_t<is_contact, ContactLog, Nothing> contacts_;
-  std::conditional_t<is_corner, CornerGrips, Nothing> grips_;
+  std::conditional_t<is_contact, ContactLog, std::monostate> contacts_;
+  std::conditional_t<is_corner, CornerGrips, std::monostate> grips_;
   double step_ = 0.0, last_step_ = 0.0;  // s
 };
 

@@ -126,11 +126,14 @@ struct CornerLaw {
   /// Returns the friction, with the stiffness that this law gives.
   [[nodiscard]] ContactFriction acting_friction() const {
     ContactFriction acting = friction;
-    constexpr double of_tangent = 0.85, at_indentation = 0.01;  // m
-    ContactState after;
-    if (gives_grip)
+    constexpr double of_tangent = 0.85, at_indentation = 0.01, at_speed = 1.0;  // m, m/s
+    if (gives_grip) {
+      const auto whole = contact();
+      ContactState after;
       acting.tangential_stiffness =
-          of_tangent * contact().evaluate({ContactPhase::loaded, 1.0}, at_indentation, 0.0, after).stiffness;
+          of_tangent *
+          whole.evaluate(whole.next_regime({}, at_indentation, at_speed), at_indentation, 0.0, after).stiffness;
+    }
     return acting;
   }
   /// Returns it as reports show it.

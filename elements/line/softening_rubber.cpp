@@ -6,18 +6,19 @@ namespace {
 Bilinear under(const LeadRubberBearing& bearing, Force) {
   return {bearing.yield_force, bearing.yield_displacement, bearing.post_yield_stiffness};
 }
-Bilinear under(const BearingDesign& design, Force load) {
-  return design.carrying(design.weight.si() > 0.0 ? design.weight : load);
-}
+Bilinear under(const BearingDesign& design, Force load) { return design.carrying(load); }
 Bilinear under(const Bilinear& law, Force) { return law; }
 
 }  // namespace
 
 void SofteningRubber::check(const Check& check) const {
-  if (const auto* design = std::get_if<BearingDesign>(&bearing)) design->check(check);
-  // The load does not count for the others.
-  else
-    under_changing_weight({}).bilinear.check(check);
+  if (const auto* design = std::get_if<BearingDesign>(&bearing)) {
+    design->check(check);
+    check.that(design->weight == Force{}, "bearing.weight", design->weight.si(), "N", "left out",
+               "Give the weight of the SofteningRubber, which its critical load is compared with.");
+  } else {
+    under_changing_weight({}).bilinear.check(check);  // of any weight: these laws do not depend on it
+  }
   rubber.check(check);
 }
 

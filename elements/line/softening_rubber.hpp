@@ -22,7 +22,7 @@ namespace moat {
 ///
 /// Everything is of one bearing; Isolator::count says how many stand side by side. With AxialForces N is that of the
 /// instant; without them N is the weight on it, and only D changes. Reports `critical_load` [N], P_cr(D). Where N
-/// exceeds it the run goes on with a warning, and `bearing_unstable` says how often and when first.
+/// exceeds it the run goes on with a warning; with AxialForces `bearing_unstable` says how often and when first.
 struct SofteningRubber {
   static constexpr std::string_view name = "SofteningRubber";  ///< Reports call it so.
   static constexpr bool is_rubber = true;                      ///< It does not slide, and may pull.

@@ -119,6 +119,12 @@ void LinearStructureStates::start_energy_accounts() {
   }
 }
 
+void LinearStructureStates::archive(StateArchive& archive) {
+  archive(keeps_energies_);
+  for (Structure& each : structures_)
+    archive(each.start, each.now, each.force_rate, each.work, each.dissipated, each.stored_at_start);
+}
+
 ElementEnergy LinearStructureStates::energy(std::size_t element) const {
   if (!keeps_energies_) throw std::logic_error{"LinearStructureStates: energy() without start_energy_accounts()"};
   const Structure& its = structures_[element];

@@ -39,11 +39,14 @@ class LinearStructureStates final : public ElementStates {
   void change(std::size_t, std::vector<RegimeChange>&) override {}
   ContactView contact(std::size_t) const override { return {}; }
   double shortest_contact() const override { return std::numeric_limits<double>::infinity(); }
+  void archive(StateArchive& archive) override;
 
  private:
   // Deformation v with its rates, and the force K v + C v'.
   struct Instant {
     Vector deformation{}, rate{}, second_rate{}, force{};  // m, m/s, m/s^2, N
+
+    void archive(auto& archive) { archive(deformation, rate, second_rate, force); }
   };
   struct Structure {
     const StructureMatrices* matrices;

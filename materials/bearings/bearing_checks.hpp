@@ -72,6 +72,11 @@ class BearingChecks {
 
   /// Takes an instant; the compression of the first one is that at rest.
   void take(DemandAt at);
+  /// Behind the first instant: writes or reads the largest ratios. The texts stay.
+  void archive(auto& archive) {
+    archive(static_compression_);
+    for (BearingDemand& each : largest_) archive(each.demand, each.capacity, each.time);
+  }
   /// One for every check. Empty before the first instant.
   [[nodiscard]] const std::vector<BearingDemand>& largest() const { return largest_; }
 

@@ -11,24 +11,15 @@
 
 namespace moat {
 
-/// Returns e + change, at least 0.001 and at most 1; an e outside that range limits it in place of them.
-template <std::convertible_to<double> Number>
-double changed_restitution(const Number& restitution, double change) {
-  return shifted_restitution(restitution, change);
+/// Returns e + change, at least 0.001 and at most 1, of a number or of a Restitution; an e outside that range limits it
+/// in place of them.
+template <class Value>
+auto changed_restitution(const Value& restitution, double change) {
+  if constexpr (std::convertible_to<const Value&, double>)
+    return shifted_restitution(restitution, change);
+  else
+    return static_cast<const Restitution&>(restitution).changed_by(change);
 }
-/// Returns the same for a restitution that may depend on the speed.
-inline Restitution changed_restitution(const Restitution& restitution, double change) {
-  return restitution.changed_by(change);
-}
-
-/// Returns the number that reports show for a restitution.
-template <std::convertible_to<double> Number>
-double number_of_restitution(const Number& restitution) {
-  return restitution;
-}
-
-/// Returns that at 1 m/s.
-inline double number_of_restitution(const Restitution& restitution) { return restitution.at(1.0); }
 
 /// A law whose field `stiffness` can be multiplied.
 template <class Law>
@@ -48,13 +39,15 @@ bool has_stiffness(const Law&) {
   return HasStiffness<Law>;
 }
 
-/// Returns the restitution that with_restitution_change() changes; nothing where the law has none.
+/// Returns the restitution at 1 m/s that with_restitution_change() changes; nothing where the law has none.
 template <class Law>
 std::optional<double> restitution_of_law(const Law& law) {
-  if constexpr (HasRestitution<Law>)
-    return number_of_restitution(law.restitution);
-  else
+  if constexpr (HasRestitution<Law>) {
+    const Restitution& restitution = law.restitution;
+    return restitution.at(1.0);
+  } else {
     return std::nullopt;
+  }
 }
 
 /// Returns the law with its stiffness times `factor`; as it is where it has none.

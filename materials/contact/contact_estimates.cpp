@@ -48,6 +48,10 @@ Estimate<Stiffness> axial_stiffness_of_slab(const SlabAlongHit& slab) {
   check_slab(Check{"axial_stiffness_of_slab", ""}, slab);
   const double b = slab.width.si(), e = slab.material.youngs_modulus.si(), t = slab.thickness.si();
   const double contact = slab.contact_width.si() > 0.0 ? slab.contact_width.si() : b;
+  Check{"axial_stiffness_of_slab", ""}.that(b - contact <= 2.0 * slab.length.si(), "contact_width", contact, "m",
+                                            ">= width - 2 length = " + to_text(b - 2.0 * slab.length.si()) + " m",
+                                            "The load spreads at 45 degrees, and reaches this width alone: give a "
+                                            "smaller width.");
   const double spreading = std::log(b / contact) / (2.0 * e * t), along = slab.length.si() / (e * b * t);
   const auto stiffness = [&](double parts) { return Stiffness{1.0 / (spreading + along / parts)}; };
   const double parts = slab.mass == SlabMass::spread ? 3.0 : slab.mass == SlabMass::in_middle ? 2.0 : 1.0;

@@ -38,8 +38,8 @@ struct SlabAlongHit {
 ///
 ///     1/k = ln(b/b_c)/(2 E t) + L/(n E b t)    n = 3, 2, 1 for a mass that is spread, in the middle, at the far end
 ///
-/// The load spreads at 45 degrees from the width b_c, which holds for b_c > t. `low` and `high` are those of n = 1 and
-/// n = 3. Throws InputError for a parameter outside its range. Source: bar theory.
+/// The load spreads at 45 degrees from the width b_c, which holds for b_c > t and b - b_c <= 2 L. `low` and `high` are
+/// those of n = 1 and n = 3. Throws InputError for a parameter outside its range. Source: bar theory.
 Estimate<Stiffness> axial_stiffness_of_slab(const SlabAlongHit& slab);
 
 /// Returns the time that a wave needs to the far end of a bare slab and back, s: 2 L/c, c = sqrt(E/rho). The slab may

@@ -4,6 +4,7 @@
 #include <boost/numeric/odeint/stepper/generation/generation_controlled_runge_kutta.hpp>  // the tolerances count
 #include <boost/numeric/odeint/stepper/generation/generation_runge_kutta_dopri5.hpp>
 
+#include "base/check.hpp"
 #include "base/error.hpp"
 #include "base/root.hpp"
 
@@ -21,6 +22,10 @@ double delivered_restitution(const FreeImpact& impact) {
   constexpr double tolerance = 1e-12;
   constexpr int most_steps = 100000;
 
+  const Check check{"FreeImpact", ""};
+  check.positive("effective_mass", impact.effective_mass, "kg", "1/m = 1/m_1 + 1/m_2 of both bodies.");
+  check.positive("approach_speed", impact.approach_speed, "m/s");
+  check.positive("duration", impact.duration, "s", "It is a time scale of the contact.");
   const double speed = impact.approach_speed, depth = speed * impact.duration;
   const double per_force = impact.duration / (impact.effective_mass * speed);
   const auto slope = [&](const Motion& motion, Motion& by_time, double) {

@@ -57,6 +57,7 @@ struct Entry {
   void (*check)(const NamedImpactLaw&, const Check&);
   AnyContact (*between)(const NamedImpactLaw&, double);
   std::vector<Parameter> (*parameters)(const NamedImpactLaw&);
+  bool has_restitution;
 };
 
 std::vector<Entry> make_entries() {
@@ -71,7 +72,8 @@ std::vector<Entry> make_entries() {
              .check = check_law<Law>,
              .between = [](const NamedImpactLaw& named,
                            double effective_mass) { return AnyContact{law_of<Law>(named).between(effective_mass)}; },
-             .parameters = [](const NamedImpactLaw& named) { return law_of<Law>(named).parameters(); }});
+             .parameters = [](const NamedImpactLaw& named) { return law_of<Law>(named).parameters(); },
+             .has_restitution = GivenByRestitution<Law, K>});
       };
       add(Law::name);
       if (!alias_of<Law>().empty()) add(alias_of<Law>());
@@ -130,8 +132,7 @@ std::vector<Parameter> NamedImpactLaw::parameters() const { return entry_of(*thi
 std::string_view name_of(const NamedImpactLaw& law) { return entry_of(law).type_name; }
 
 std::optional<double> restitution_of_law(const NamedImpactLaw& law) {
-  const bool is_elastic = law.parameters().size() == 1;  // its stiffness
-  return is_elastic ? std::nullopt : std::optional{number_of_restitution(law.restitution)};
+  return entry_of(law).has_restitution ? std::optional{law.restitution.at(1.0)} : std::nullopt;
 }
 
 NamedImpactLaw with_stiffness_factor(NamedImpactLaw law, double factor) {

@@ -46,6 +46,7 @@ class ProgressObserver final : public StepObserver {
   void step(const StepView& view) override { bar_(view.state.time(), end_); }
   void event(const StepView&, std::span<const RegimeChange>) override {}
   void finish(const StepView&) override { bar_.clear(); }
+  void archive(StateArchive&) override {}
 
  private:
   double end_;

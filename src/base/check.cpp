@@ -15,6 +15,13 @@ std::string with_unit(double value, std::string_view unit) {
   return text;
 }
 
+// The remedy for a value whose caller has no better one.
+std::string_view usual_remedy(double value, std::string_view unit) {
+  if (!std::isfinite(value)) return "Look for a division by zero in the calculation that gave it.";
+  if (unit.empty() || unit == "1") return "Give a number in this range.";
+  return "Check its sign and its unit.";
+}
+
 }  // namespace
 
 std::string to_text(double value) { return to_significant(value, 6); }
@@ -32,7 +39,7 @@ void Check::that(bool allowed, std::string_view parameter, double value, std::st
   std::string message = object() + ": ";
   message.append(parameter).append(" = ").append(with_unit(value, unit)).append(" is not allowed; it must be ");
   message.append(range).append(".");
-  if (!advice.empty()) message.append(" ").append(advice);
+  message.append(" ").append(advice.empty() ? usual_remedy(value, unit) : advice);
   throw InputError{message};
 }
 

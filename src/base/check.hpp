@@ -12,7 +12,8 @@
 
 namespace moat {
 
-/// Checks the parameters of one object and throws InputError with a message of the form
+/// Checks the parameters of one object and throws InputError with a message of the form below. Where advice is left
+/// out, a remedy that fits every value takes its place.
 ///
 ///     Gap "moat left": clearance = -0.1 m is not allowed; it must be >= 0 m and finite. Give the free distance ...
 ///

@@ -1,7 +1,9 @@
 // Named numbers and quantities of a model, as reports print them.
 #pragma once
 
+#include <algorithm>
 #include <string_view>
+#include <vector>
 
 namespace moat {
 
@@ -13,6 +15,12 @@ struct Parameter {
 
   friend bool operator==(const Parameter&, const Parameter&) = default;
 };
+
+/// Returns the value of a parameter, or `otherwise` where the list does not have it.
+inline double parameter_of(const std::vector<Parameter>& list, std::string_view name, double otherwise = 0.0) {
+  const auto found = std::ranges::find(list, name, &Parameter::name);
+  return found == list.end() ? otherwise : found->value;
+}
 
 /// A quantity that an element reports besides its deformation and force. The texts are literals, as those of a
 /// parameter.

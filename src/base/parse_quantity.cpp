@@ -131,7 +131,7 @@ double parse_si(std::string_view text, std::string_view what, int mass, int half
   const auto [end, error] = std::from_chars(text.data() + start, text.data() + text.size(), number);
   if (error == std::errc::result_out_of_range) {
     const bool large = std::abs(std::strtod(std::string{text.data() + start, end}.c_str(), nullptr)) > 1.0;
-    refuse(what, text, large ? "is too large." : "is too small; zero is 0.");
+    refuse(what, text, large ? "is too large. Check its exponent." : "is too small; zero is 0.");
   }
   if (error != std::errc{} || !std::isfinite(number))
     refuse(what, text,
@@ -157,7 +157,7 @@ double parse_si(std::string_view text, std::string_view what, int mass, int half
            "is in " + unit_symbol(unit.mass, unit.half_length, unit.time) + ", but it must be " + "in " + wanted +
                " or multiples of it.");
   const double value = number * unit.si;
-  if (!std::isfinite(value)) refuse(what, text, "is too large.");
+  if (!std::isfinite(value)) refuse(what, text, "is too large. Check its exponent.");
   if (wanted != "1" && std::abs(value) > largest_quantity)
     refuse(what, text, "is too large: at most 1e+15 " + wanted + ". Check its unit.");
   return value;

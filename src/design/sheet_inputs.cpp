@@ -79,6 +79,16 @@ void SheetBuilding::check(const Check& check) const {
   check.not_negative("corner_distance", corner_distance);
   check.positive("fixed_base_period", fixed_base_period);
   if (clearance) check.not_negative("clearance", *clearance);
+  if (!suite) return;
+  for (const auto& [bound, values] :
+       {std::pair{"lower", &suite->lower}, {"nominal", &suite->nominal}, {"upper", &suite->upper}}) {
+    const std::string prefix = "suite." + std::string{bound} + ".";
+    check.not_negative(prefix + "displacement", values->displacement);
+    check.not_negative(prefix + "corner_displacement", values->corner_displacement);
+    check.not_negative(prefix + "base_shear", values->base_shear);
+    check.not_negative(prefix + "storey_shear", values->storey_shear);
+    check.not_negative(prefix + "drift", values->drift, "1");
+  }
 }
 
 }  // namespace moat

@@ -53,8 +53,8 @@ std::string line_row(const SheetLine& line, bool repeats) {
   const std::string mark =
       line.source == ClauseSource::recalled && !repeats ? " <span class=\"recalled\">recalled, not read</span>" : "";
   return "<tr><td>" + formula_as_html(line.symbol) + "</td><td>" + (repeats ? "" : formula_as_html(line.formula)) +
-         "</td><td>" + formula_as_html(line.numbers) + "</td>" + value_cells(line) + "<td class=\"unit\">" + unit +
-         "</td><td>" +
+         "</td><td>" + formula_as_html(line.numbers) + "</td>" + value_cells(line) + "<td class=\"unit\">" +
+         escaped(unit) + "</td><td>" +
          (!line.is_kept   ? (line.verdict.empty() ? "" : "not judged")
           : *line.is_kept ? "kept"
                           : "<span class=\"broken\">not kept</span>") +
@@ -106,7 +106,9 @@ std::string formula_as_html(const std::string& formula) {
       {std::regex{"&lt;="}, "≤"},
       {std::regex{" - "}, " − "},
   }};
+  constexpr std::size_t longest = 2000;  // std::regex needs room on the stack for every character
   std::string html = escaped(formula);
+  if (html.size() > longest) return html;
   for (const auto& [words, sign] : signs) html = std::regex_replace(html, words, sign);
   return html;
 }

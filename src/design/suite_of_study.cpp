@@ -19,8 +19,9 @@ constexpr const char* bounds_axis = "bounds";
 /// The design values of a study in the groups of one bound; of all groups where there are no bounds.
 class DesignValues {
  public:
-  DesignValues(const StudyResult& study, const std::string& axis, const std::string& bound)
-      : all_{statistics_over(study, axis)} {
+  DesignValues(const StudyResult& study, const std::string& axis, const std::string& bound,
+               const std::vector<RecordStatistics>& all)
+      : all_{all} {
     const std::size_t records = study.cases().index_of(axis);
     const std::vector<double> impacts = has(study, "impacts") ? study.values("impacts", "") : std::vector<double>{};
     std::set<std::size_t> touching;
@@ -54,7 +55,7 @@ class DesignValues {
   [[nodiscard]] std::size_t touching() const { return touching_; }
 
  private:
-  std::vector<RecordStatistics> all_;
+  const std::vector<RecordStatistics>& all_;
   std::set<std::string> groups_;
   std::size_t touching_ = 0;
 };
@@ -73,7 +74,8 @@ SuiteForSheet suite_for_sheet(const StudyResult& study, const std::string& base)
   check.that(!axis.empty(), "the study has no axis of records.", "Use a suite, or an axis of record_axis().");
   const std::size_t records = study.axes()[study.cases().index_of(axis)].values.size();
   std::size_t solved = records;
-  for (const RecordStatistics& each : statistics_over(study, axis)) {
+  const std::vector<RecordStatistics> all = statistics_over(study, axis);
+  for (const RecordStatistics& each : all) {
     if (each.envelope || each.quantity != "displacement" || each.where != base) continue;
     check.that(each.solved > 0, "no record has a result with " + each.group + ".", "Compute its cases again.");
     solved = std::min(solved, each.solved);
@@ -83,7 +85,7 @@ SuiteForSheet suite_for_sheet(const StudyResult& study, const std::string& base)
   const bool has_bounds = std::ranges::find(study.axes(), bounds_axis, &StudyAxis::name) != study.axes().end();
   const auto values_of = [&](const std::string& bound) {
     constexpr double percent = 0.01;
-    const DesignValues of{study, axis, bound};
+    const DesignValues of{study, axis, bound, all};
     // A building without a name lists them at "base", also where its base has another name.
     const auto total = [&](const std::string& quantity) {
       const std::optional<double> here = of.smaller_component(quantity, base);

@@ -78,6 +78,28 @@ std::optional<std::size_t> missing_semicolon(const Error& error, const std::stri
   return ends_line && !(match[1].matched && code[last] == ')') ? std::optional{last} : std::nullopt;
 }
 
+// The semicolon behind GCC's place where a list in braces goes on: `.storeys = 4;`.
+std::optional<std::size_t> semicolon_in_list(const std::string& source, std::size_t offset) {
+  static const std::regex next_field{R"(;\s*\.\w+\s*=[^]*)"};
+  const std::string code = code_of(source);
+  const std::size_t end = code.find_first_of(";}", std::min(offset, code.size()));
+  if (end == std::string::npos || code[end] == '}') return {};
+  const std::size_t line = code.find('\n', code.find_first_not_of("; \t\r\n", end));
+  return std::regex_match(code.substr(end, line - end), next_field) ? std::optional{end} : std::nullopt;
+}
+
+// A function without a `return` that is given in a call: to study(), for example.
+bool returns_nothing(const Error& error, const std::string& source, std::size_t offset) {
+  static const std::regex call{R"(no matching function for call to [^\n]*<lambda\()"}, word{R"(\breturn\b)"};
+  const std::string code = code_of(source);
+  if (!std::regex_search(error.text, call) || offset >= code.size()) return false;
+  const std::size_t begin = code.find('{', code.find("](", offset));
+  std::size_t end = begin;
+  for (int depth = 0; end < code.size(); ++end)
+    if (depth += (code[end] == '{') - (code[end] == '}'); depth == 0) break;
+  return begin != std::string::npos && !std::regex_search(code.substr(begin, end - begin), word);
+}
+
 // "tower.cpp:26: Moat has no field clearence; did you mean clearance?"; empty where nothing is certain.
 std::string sentence_on(const Error& error, const std::filesystem::path& root) {
   const std::string source = text_of(error.file);
@@ -87,6 +109,10 @@ std::string sentence_on(const Error& error, const std::filesystem::path& root) {
   Mistake mistake{offset, wrong_dimension(error)};
   if (const auto end = missing_semicolon(error, source, offset))
     mistake = {*end, "a semicolon is missing at the end of this line"};
+  else if (const auto inside = semicolon_in_list(source, offset))
+    mistake = {*inside, "this semicolon stands inside a list in braces; take a comma"};
+  else if (returns_nothing(error, source, offset))
+    mistake = {offset, "the function that is given here returns nothing; end it with `return NAME;`"};
   else if (const auto known = mistake_in_fields(source, offset, type_of_argument(error), root))
     mistake = *known;
   if (mistake.sentence.empty()) return "";

@@ -42,9 +42,9 @@ A script may include files beside it: #include "my_law.hpp". It is compiled agai
 library has changed. The compiled programs in build/scripts/ may be deleted at any time.
 
 Options of most scripts, which its own --help explains: --out, --force, --step, --tolerance, --integrator, --end,
---frame-interval, --check, --sensitivity, --no-sensitivity, --quiet, --json, --record, --record-2, --record-up,
---record-unit, --record-step, --record-columns, --records-table, --incidence; of studies --threads, --case, --cases,
---retry, --accept-changes.
+--frame-interval, --checkpoint, --resume, --check, --sensitivity, --no-sensitivity, --quiet, --json, --record,
+--record-2, --record-up, --record-unit, --record-step, --record-columns, --records-table, --incidence; of studies
+--threads, --case, --cases, --retry, --accept-changes.
 
 Exit code: that of the script; 1 when building fails, 2 for wrong usage, 3 when packages cannot be installed.)"},
     {"new", "Start a script of your own", R"(
@@ -94,8 +94,8 @@ wrong usage, 3 when packages cannot be installed.)"},
     {"motion", "Show peaks, duration, pulse period and spectrum of accelerograms", R"(
 ./moat motion FILE... [--unit g] [--step 0.01s] [--columns x,y] [--damping 0.05] [--out FOLDER] [--json]
 
-Shows for every channel of every file PGA, PGV, PGD, Arias intensity, significant duration (5 to 95 %), the period of its pulse (that of
-the largest pseudo-velocity with 5 % damping), and one table of pseudo-accelerations. It reads files of PEER, K-NET,
+Shows for every channel of every file PGA, PGV, PGD, Arias intensity, significant duration (5 to 95 %), the period of
+its pulse (at the largest pseudo-velocity with 5 % damping), and one table of pseudo-accelerations. It reads files of PEER, K-NET,
 KiK-net, AFAD, ESM, CWA, GeoNet, COSMOS, CSMIP, SMC, BHRC, RENADIC and UNAM, and columns of plain text.
 
   ./moat motion RSN1108_KOBE_KBU000.AT2           one record
@@ -128,11 +128,16 @@ For those who change moat. Runs checks one after the other, goes on when one fai
   format       clang-format finds nothing to change
   shell        shellcheck finds nothing in the shell scripts
   package      a program builds and runs with the installed package
-  warnings     everything compiles with warnings as errors (build/dev)
+  warnings     each source of the library compiles with warnings as errors (build/dev); the tests and examples do so
+               by MOAT_WARNINGS_AS_ERRORS=ON ./moat test
+  cppcheck     cppcheck finds nothing in the library (cmake/cppcheck.txt)
   tidy         clang-tidy finds nothing in the library (.clang-tidy)
   sanitizers   all tests pass with the address and undefined-behaviour sanitizers (build/asan)
+  threads      studies of four threads pass with the thread sanitizer (build/tsan)
   fuzz         10,000 damaged inputs of every reader end in a result or a refusal (build/fuzz)
   faults       runs and studies that are killed, stopped or lack disk leave whole files; 4 minutes
+  coverage     the tests reach 90 % of the lines of the library, and 95 % of those of the parsers (build/coverage)
+  mutants      the tests see deliberate mistakes in a copy of the code (tests/mutation)
 
   ./moat check format shell                       two of them, in a minute)"},
     {"fuzz", "Try damaged inputs on one of the readers", R"(

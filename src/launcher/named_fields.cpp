@@ -94,7 +94,10 @@ std::optional<Mistake> mistake_in_list(const std::string& source, const std::str
     const std::string front = "field " + name + " of " + type;
     if (field < last) return Mistake{offset, front + " stands in the wrong place; the order is " + joined(names, ", ")};
     last = field;
-    const std::string text = misfit(value, dimension_of_value(value, code), dimension_of_type(field->type));
+    const bool is_list = field->type == "std::vector<double>" && value.starts_with('{');
+    const std::string one = is_list ? trimmed(value.substr(1, value.find_first_of(",}") - 1)) : value;
+    const std::string text =
+        misfit(one, dimension_of_value(one, code), is_list ? std::string{number} : dimension_of_type(field->type));
     if (!text.empty()) return Mistake{offset, front + ": " + text};
     if (value.starts_with('{'))
       if (auto inside = mistake_in_list(source, code, code.find('{', offset), field->type, headers)) return inside;

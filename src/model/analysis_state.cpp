@@ -191,6 +191,7 @@ void AnalysisState::balance(GroundVector ground_acceleration) {
     const bool finite = trial_.acceleration.allFinite() && change.allFinite();
     if (finite && off <= round_off * size) return;
     missing = finite ? off / size : std::numeric_limits<double>::quiet_NaN();
+    if (!finite) break;
   }
   if (!(missing <= settled))
     throw ConvergenceError{

@@ -129,6 +129,15 @@ class AnalysisState {
   /// Duration of the shortest contact in progress, s; infinite if there is none.
   [[nodiscard]] double shortest_contact() const;
 
+  /// Writes the state, or reads it back into one of the same model: all but the sums that evaluate() and balance() form
+  /// before they use them.
+  void archive(StateArchive& archive) {
+    archive(motion_, trial_, internal_forces_, committed_forces_, ground_, committed_ground_, vertical_ground_rate_,
+            tangent_version_, keeps_energy_accounts_);
+    for (const auto& elements : elements_) elements->archive(archive);
+    for (WeightOnBearings& weight : weights_) weight.archive(archive);
+  }
+
  private:
   bool evaluate(std::size_t block) {
     return elements_[block]->evaluate(trial_.time - motion_.time, trial_.displacement.data(), trial_.velocity.data(),

@@ -7,6 +7,22 @@
 
 namespace moat {
 
+namespace {
+
+// The centre of mass of a body lies in every convex shape around it.
+void check_place_of_mass(const Check& check, const Diaphragm& diaphragm) {
+  const auto check_axis = [&](const char* field, Length PlanPosition::*axis) {
+    const auto [lowest, highest] = std::ranges::minmax(diaphragm.outline.corners, {}, axis);
+    check.between(field, (diaphragm.centre_of_mass.*axis).si(), (lowest.*axis).si() - same_place,
+                  (highest.*axis).si() + same_place, "m",
+                  "It lies within the outline; both are in coordinates of the whole model.");
+  };
+  check_axis("centre_of_mass.x", &PlanPosition::x);
+  check_axis("centre_of_mass.y", &PlanPosition::y);
+}
+
+}  // namespace
+
 double checked_rotary_inertia(const Diaphragm& diaphragm) {
   const Check check{"Diaphragm", diaphragm.name};
   check.that(!diaphragm.name.empty(), "a diaphragm has no name.", "Give .name: results are listed under it.");
@@ -18,7 +34,10 @@ double checked_rotary_inertia(const Diaphragm& diaphragm) {
     check.positive("size.x", diaphragm.size.x);
     check.positive("size.y", diaphragm.size.y);
   }
-  if (!diaphragm.outline.empty()) diaphragm.outline.check(check, "outline");
+  if (!diaphragm.outline.empty()) {
+    diaphragm.outline.check(check, "outline");
+    check_place_of_mass(check, diaphragm);
+  }
   const double mass = diaphragm.mass.si();
   double inertia = diaphragm.rotary_inertia.si();
   if (inertia == 0.0 && has_size) {

@@ -12,6 +12,7 @@
 #include "base/parameter.hpp"
 #include "base/plan_vector.hpp"
 #include "base/sparse_matrix.hpp"
+#include "base/state_archive.hpp"
 
 namespace moat {
 
@@ -210,6 +211,12 @@ class ElementStates {
   [[nodiscard]] virtual ContactView contact(std::size_t element) const = 0;
   /// Duration of the shortest contact in progress, as a free impact, s; infinite if there is none.
   [[nodiscard]] virtual double shortest_contact() const = 0;
+
+  /// Writes all that changes in an analysis, or reads it back into states of the same block. States that do not say how
+  /// throw InputError.
+  virtual void archive(StateArchive&) {
+    throw InputError{"The states of an element of this script cannot be saved: they have no archive()."};
+  }
 };
 
 }  // namespace moat

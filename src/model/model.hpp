@@ -30,6 +30,8 @@ struct MotionState {
   Vector velocity;      ///< m/s
   Vector acceleration;  ///< m/s^2
   Vector jerk;          ///< m/s^3, rate of the absolute acceleration: jumps with force rates, not with the ground
+
+  void archive(auto& archive) { archive(time, displacement, velocity, acceleration, jerk); }  ///< StateArchive.
 };
 
 /// A structure: bodies, elements and buildings, as the free functions add(model, ...) added them. Analyses do not

@@ -122,12 +122,12 @@ PlacedDiaphragm Model::checked(const Diaphragm& diaphragm) const {
     check.that(!body_names_.contains(diaphragm.name + suffix), "a node \"" + diaphragm.name + suffix + "\" exists.",
                "Give every node and diaphragm its own name.");
   const double mass = diaphragm.mass.si(), gyration = std::sqrt(inertia / mass);
-  const Length arc = gyration * diaphragm.initial_rotation * units::m;
-  const Speed arc_speed = gyration * units::m * diaphragm.initial_angular_velocity;
-  for (const Length displacement : {diaphragm.initial_displacement.x, diaphragm.initial_displacement.y, arc})
-    check.finite("initial_displacement", displacement);
-  for (const Speed velocity : {diaphragm.initial_velocity_x, diaphragm.initial_velocity_y, arc_speed})
-    check.finite("initial_velocity", velocity);
+  check.finite("initial_displacement.x", diaphragm.initial_displacement.x);
+  check.finite("initial_displacement.y", diaphragm.initial_displacement.y);
+  check.finite("initial_rotation", diaphragm.initial_rotation.si(), "rad");
+  check.finite("initial_velocity_x", diaphragm.initial_velocity_x);
+  check.finite("initial_velocity_y", diaphragm.initial_velocity_y);
+  check.finite("initial_angular_velocity", diaphragm.initial_angular_velocity.si(), "rad/s");
   return {.name = diaphragm.name,
           .id = {},
           .mass = mass,

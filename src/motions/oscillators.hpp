@@ -118,6 +118,9 @@ class OscillatorMotion {
       pass<with_absolute>(group, interval, 0.0, 0.0);
   }
 
+  /// Writes or reads the motion and its largest values.
+  void archive(auto& archive) { archive(motion_.value, motion_.rate, pseudo_accelerations_, absolute_accelerations_); }
+
   /// The largest |w^2 u|, m/s^2.
   [[nodiscard]] const OscillatorNumbers& pseudo_accelerations() const { return pseudo_accelerations_; }
   /// The largest |u'' + a|, m/s^2.

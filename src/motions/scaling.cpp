@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/check.hpp"
+#include "motions/motion_measures.hpp"
 #include "motions/response_spectrum.hpp"
 
 namespace moat {
@@ -35,11 +36,7 @@ Acceleration spectral_acceleration(const GroundMotion& motion, Time period, doub
 
 std::vector<Time> periods_around(Time period) {
   Check{"periods_around", ""}.positive("period", period);
-  std::vector<Time> periods;
-  for (int i = 0; i < number_of_periods; ++i)
-    periods.push_back(shortest_share * std::pow(longest_share / shortest_share, i / (number_of_periods - 1.0)) *
-                      period);
-  return periods;
+  return spaced_periods(shortest_share * period, longest_share * period, number_of_periods);
 }
 
 Acceleration average_spectral_acceleration(const GroundMotion& motion, std::span<const Time> periods,

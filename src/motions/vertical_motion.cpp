@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "motions/oscillators.hpp"
+
 namespace moat {
 
 VerticalMotion::VerticalMotion(const GroundMotion& motion, Time period, double damping_ratio)
@@ -16,16 +18,13 @@ VerticalMotion::VerticalMotion(const GroundMotion& motion, Time period, double d
     states_[i] = later(states_[i - 1], ground_[i - 1], (ground_[i] - ground_[i - 1]) / interval_, interval_);
 }
 
-// The particular solution shift + slope t follows the linear load; the rest vibrates freely.
 VerticalMotion::State VerticalMotion::later(const State& start, double load, double load_rate, double time) const {
-  const double slope = -load_rate, shift = -load - 2.0 * damping_ratio_ / frequency_ * slope;
-  const double free_value = start.value - shift, free_rate = start.rate - slope;
-  const double decay = damping_ratio_ * frequency_,
-               damped = frequency_ * std::sqrt(1.0 - damping_ratio_ * damping_ratio_);
-  const double fading = std::exp(-decay * time), cosine = fading * std::cos(damped * time),
-               sine = fading * std::sin(damped * time) / damped;
-  return {shift + slope * time + (cosine + decay * sine) * free_value + sine * free_rate,
-          slope + (cosine - decay * sine) * free_rate - frequency_ * frequency_ * sine * free_value};
+  using Numbers = Eigen::Array<double, 1, 1>;
+  const Oscillators<Numbers> mode{Numbers{2.0 * std::numbers::pi / frequency_}, damping_ratio_};
+  const Numbers forced = mode.forced(Numbers{load}, Numbers{-load_rate});
+  const OscillatorState<Numbers> free{Numbers{start.value} - forced, Numbers{start.rate + load_rate}};
+  const OscillatorState<Numbers> end = OscillatorStep<Numbers>{mode, time}.after(free, forced, Numbers{-load_rate});
+  return {end.value(0), end.rate(0)};
 }
 
 VerticalMotion::Instant VerticalMotion::instant(double time) const {

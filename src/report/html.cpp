@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "base/sha256.hpp"
 #include "base/text/number_format.hpp"
 #include "output/charts/chart_style.hpp"
 #include "output/files/engineering_unit.hpp"
@@ -20,7 +21,7 @@ std::string row(std::string_view name, std::string_view value, std::string_view 
 /// JSON inside a script element, which a "<" of a name could end.
 std::string inside_script(std::string_view json) {
   std::string safe;
-  for (const char c : json) {
+  for (const char c : as_plain_text(json)) {
     if (c == '<')
       safe += "\\u003c";
     else
@@ -44,15 +45,28 @@ std::string chart_library() {
   return text;
 }
 
+// Lets the scripts of the page run, and no other: no script in a name, and no request to the network.
+std::string policy_for(std::string_view scripts) {
+  constexpr std::string_view begin = "<script>", end = "</script>";
+  std::string hashes;
+  for (std::size_t at = scripts.find(begin); at != std::string_view::npos; at = scripts.find(begin, at)) {
+    at += begin.size();
+    hashes += " 'sha256-" + sha256_in_base64(scripts.substr(at, scripts.find(end, at) - at)) + "'";
+  }
+  return "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; "
+         "base-uri 'none'; form-action 'none'; script-src" +
+         hashes + "\">\n";
+}
+
 std::string framed(std::string_view title, std::string_view body, const std::string& scripts) {
   const std::string heading = escaped(title);
   // Dark where the reader's system is, and light on paper.
   const std::string dark_charts =
       "@media screen and (prefers-color-scheme: dark) {\n" + std::string{chart_style::dark_rules} + "}\n";
-  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
-         heading + "</title>\n<style>\n" + std::string{embedded::page_css} + dark_charts +
-         "</style>\n</head>\n<body>\n<h1>" + heading + "</h1>\n" + std::string{body} + scripts + "</body>\n</html>\n";
+  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n" + policy_for(scripts) +
+         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" + heading +
+         "</title>\n<style>\n" + std::string{embedded::page_css} + dark_charts + "</style>\n</head>\n<body>\n<h1>" +
+         heading + "</h1>\n" + std::string{body} + scripts + "</body>\n</html>\n";
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "base/text/number_format.hpp"
 #include "output/charts/chart_panel.hpp"
 #include "report/charts/chart_columns.hpp"
+#include "report/charts/result_charts.hpp"
 
 namespace moat::html {
 namespace {
@@ -27,12 +28,11 @@ std::string array_of(std::span<const double> values, double factor, std::size_t 
   return text + "]";
 }
 
-std::string json_of(const Chart& chart, std::size_t stride) {
+std::string json_of(const Chart& chart) {
   std::string series;
   for (std::size_t i = 0; i < chart.series.size(); ++i)
     series += std::string{i > 0 ? "," : ""} + "{\"name\":" + text_of(chart.series[i].name) + ",\"colour\":\"" +
-              std::string{paint_of(chart, i).colour} + "\",\"values\":" + array_of(chart.series[i].y, 1.0, stride) +
-              "}";
+              std::string{paint_of(chart, i).colour} + "\",\"values\":" + array_of(chart.series[i].y, 1.0, 1) + "}";
   std::string second;
   if (chart.second_unit)
     second = ",\"second\":{\"symbol\":" + text_of(chart.second_unit->symbol) +
@@ -50,7 +50,7 @@ std::string list_of(const Items& items, const Json& json) {
 
 }  // namespace
 
-std::string page_data(const CaseResult& result, const std::vector<Chart>& histories) {
+std::string page_data(const CaseResult& result) {
   const std::size_t rows = result.histories.rows();
   if (rows < 2) return "";
   const std::vector<double>& times = result.histories.values("time");
@@ -66,8 +66,7 @@ std::string page_data(const CaseResult& result, const std::vector<Chart>& histor
                    return motion.column == nullptr ? std::string{"null"}
                                                    : array_of(motion.column->values, motion.factor, stride);
                  }) +
-         ",\"charts\":" + list_of(histories, [&](const Chart& chart) { return json_of(chart, stride); }) +
-         ",\"impacts\":" +
+         ",\"charts\":" + list_of(history_charts(result, stride), json_of) + ",\"impacts\":" +
          list_of(result.impacts,
                  [](const Impact& impact) {
                    return "{\"where\":" + text_of(impact.where) + ",\"start\":" + to_significant(impact.start, 9) +

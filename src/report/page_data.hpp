@@ -2,9 +2,7 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
-#include "output/charts/chart.hpp"
 #include "output/files/case_result.hpp"
 
 namespace moat::html {
@@ -19,7 +17,7 @@ inline constexpr std::size_t most_rows_of_script = 20'000;
 ///      "charts": [{"title": "", "label": "", "second": {"symbol": "g", "factor": 0.102} or left out, "series":
 ///      [{"name": "", "colour": "#0072b2", "values": []}]}], "impacts": [{"where": "", "start": s, "end": s}]}
 ///
-/// histories: charts over the time of `result.histories`. Empty for less than two rows.
-std::string page_data(const CaseResult& result, const std::vector<Chart>& histories);
+/// The charts are history_charts(). Empty for less than two rows.
+std::string page_data(const CaseResult& result);
 
 }  // namespace moat::html

@@ -80,7 +80,8 @@ std::string peak_section(const CaseResult& result) {
     html += " Shown are the largest " + std::to_string(most_places) +
             " places of each quantity; summary.json has all " + std::to_string(result.peaks.size()) + " peaks.";
   if (!constant.empty()) html += " Not listed, because it never changes: ";
-  for (const std::string& quantity : constant) html += (quantity == *constant.begin() ? "" : ", ") + in_words(quantity);
+  for (const std::string& quantity : constant)
+    html += (quantity == *constant.begin() ? "" : ", ") + escaped(in_words(quantity));
   html += (constant.empty() ? "</p>" : ".</p>") + std::string{"\n<div class=\"columns wide\">\n"};
   for (const PeakGroup& group : groups) html += table_of(group, result.error_bars.checked, "side", result.error_bars);
   return html + "</div>\n";

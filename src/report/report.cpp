@@ -94,8 +94,7 @@ void write_report_html(const CaseResult& result, const ResultCharts& charts, con
       energy_section(result, charts.energy) + grid_of("Floor response spectra", charts.floor_spectra, 320) +
       html::peak_section(result) + html::clearance_section(result) + html::section_at_the_end(result) +
       period_section(result) + input_section(result);
-  write_file(folder / results_file::report,
-             html::page_with_script(result.title, body, html::page_data(result, charts.histories)));
+  write_file(folder / results_file::report, html::page_with_script(result.title, body, html::page_data(result)));
 }
 
 }  // namespace moat

@@ -31,7 +31,7 @@ std::string force_card(const CaseResult& result) {
   const PeakRow& row = group.rows.front();
   return card("Largest impact force",
               escaped(row.value) + (row.error.empty() ? "" : " <small>&plusmn; " + escaped(row.error) + "</small>") +
-                  " <small>" + group.unit + "</small>",
+                  " <small>" + escaped(group.unit) + "</small>",
               largest->where + " at " + to_fixed(largest->time, 3) + " s", unsettled);
 }
 

@@ -25,6 +25,8 @@ struct Factorisation::Klu {
   klu_numeric* numeric = nullptr;
   Eigen::Index entries = 0;
   long count = 0, pivot_searches = 0;
+  Vector searched;          // values of the last matrix with new pivots
+  bool refactored = false;  // with these pivots since
 
   Klu() {
     klu_defaults(&common);
@@ -61,6 +63,8 @@ struct Factorisation::Klu {
 
   [[nodiscard]] bool factorise_with_new_pivots(const SparseMatrix& matrix) {
     ++pivot_searches;
+    searched = matrix.coeffs();
+    refactored = false;
     klu_free_numeric(&numeric, &common);
     numeric = klu_factor(starts_of(matrix), rows_of(matrix), values_of(matrix), symbolic, &common);
     if (numeric != nullptr && has_regular_pivots()) return true;
@@ -78,7 +82,21 @@ bool Factorisation::factorise(const SparseMatrix& matrix) {
   if (klu_->symbolic == nullptr) klu_->analyse(matrix);
   if (klu_->entries != matrix.nonZeros()) throw std::logic_error{"Factorisation: the pattern of the matrix changed"};
   ++klu_->count;
-  return klu_->factorise_with_old_pivots(matrix) || klu_->factorise_with_new_pivots(matrix);
+  klu_->refactored = klu_->factorise_with_old_pivots(matrix);
+  return klu_->refactored || klu_->factorise_with_new_pivots(matrix);
+}
+
+void Factorisation::archive(StateArchive& archive, const SparseMatrix& last) {
+  bool has_factors = klu_->numeric != nullptr, refactored = klu_->refactored;
+  archive(has_factors, refactored, klu_->searched);
+  if (archive.reads() && has_factors) {
+    SparseMatrix matrix = last;
+    matrix.coeffs() = klu_->searched;
+    if (klu_->symbolic == nullptr) klu_->analyse(matrix);
+    klu_->refactored = klu_->factorise_with_new_pivots(matrix) && refactored;
+    if (refactored) static_cast<void>(klu_->factorise_with_old_pivots(last));
+  }
+  archive(klu_->count, klu_->pivot_searches);
 }
 
 void Factorisation::solve(Vector& x) const {

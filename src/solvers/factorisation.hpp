@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "base/sparse_matrix.hpp"
+#include "base/state_archive.hpp"
 #include "base/vector.hpp"
 
 namespace moat {
@@ -28,6 +29,10 @@ class Factorisation {
   void solve(Vector& x) const;
   /// X := A^-1 X, for several right sides at once.
   void solve(Eigen::MatrixXd& x) const;
+
+  /// Writes the factors, or reads them into a factorisation without any. `last` is the matrix of the last factorise():
+  /// the factors are computed again from it and from the last matrix that got new pivots, with the same digits.
+  void archive(StateArchive& archive, const SparseMatrix& last);
 
   /// How often factors were computed, with old or with new pivots.
   [[nodiscard]] long count() const;

@@ -29,6 +29,8 @@ class ForceBalance {
   [[nodiscard]] static WorstRow worst_row(const Vector& residual, const NonlinearSystem& system);
   /// The row that is no number, or the first if the residual could not be computed.
   [[nodiscard]] static WorstRow no_number(const Vector& residual);
+  /// Writes or reads the largest scale.
+  void archive(auto& archive) { archive(largest_); }
   /// Whether all rows balance, after the first compute_direction() of a solve.
   [[nodiscard]] bool holds(const WorstRow& worst, const Vector& residual, const NonlinearSystem& system);
 

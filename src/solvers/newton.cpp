@@ -179,6 +179,7 @@ class ForceBalanceTest final : public NOX::StatusTest::Generic {
  public:
   explicit ForceBalanceTest(double tolerance) : balance_{tolerance} {}
 
+  ForceBalance& balance() { return balance_; }
   NOX::StatusTest::StatusType checkStatus(const NOX::Solver::Generic& solver, NOX::StatusTest::CheckType) override {
     const auto& iterate = static_cast<const NoxGroup&>(solver.getSolutionGroup());
     const bool balances = solver.getNumIterations() > 0 && iterate.isF() &&
@@ -194,10 +195,11 @@ class ForceBalanceTest final : public NOX::StatusTest::Generic {
 };
 
 // The first test that has an answer decides: a last iterate that balances has converged.
-Teuchos::RCP<NOX::StatusTest::Generic> status_tests(const NewtonOptions& options) {
+Teuchos::RCP<NOX::StatusTest::Generic> status_tests(const NewtonOptions& options,
+                                                    const Teuchos::RCP<ForceBalanceTest>& balance) {
   auto tests = Teuchos::rcp(new NOX::StatusTest::Combo(NOX::StatusTest::Combo::OR));
   tests->addStatusTest(Teuchos::rcp(new NOX::StatusTest::FiniteValue));
-  tests->addStatusTest(Teuchos::rcp(new ForceBalanceTest(options.tolerance)));
+  tests->addStatusTest(balance);
   tests->addStatusTest(Teuchos::rcp(new NOX::StatusTest::MaxIters(options.max_iterations)));
   return tests;
 }
@@ -239,7 +241,8 @@ struct NewtonSolver::Nox {
       : options{checked(wanted)},
         start{system.size()},
         group{Teuchos::rcp(new NoxGroup(system))},
-        tests{status_tests(options)} {}
+        balance{Teuchos::rcp(new ForceBalanceTest(options.tolerance))},
+        tests{status_tests(options, balance)} {}
 
   // Starts from `start`. The number of iterations is that of this call.
   NewtonReport solve(LineSearch line_search) {
@@ -262,6 +265,7 @@ struct NewtonSolver::Nox {
   NewtonOptions options;
   NoxVector start;
   Teuchos::RCP<NoxGroup> group;
+  Teuchos::RCP<ForceBalanceTest> balance;
   Teuchos::RCP<NOX::StatusTest::Generic> tests;
   Teuchos::RCP<NOX::Solver::Generic> full_step, backtrack;  // made when they are first needed
 };
@@ -271,6 +275,8 @@ NewtonSolver::NewtonSolver(NonlinearSystem& system, NewtonOptions options)
 NewtonSolver::~NewtonSolver() = default;
 NewtonSolver::NewtonSolver(NewtonSolver&&) noexcept = default;
 NewtonSolver& NewtonSolver::operator=(NewtonSolver&&) noexcept = default;
+
+void NewtonSolver::archive(StateArchive& archive) { archive(nox_->balance->balance()); }
 
 NewtonReport NewtonSolver::solve(Vector& x) {
   Nox& nox = *nox_;

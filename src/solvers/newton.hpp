@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "base/state_archive.hpp"
 #include "base/vector.hpp"
 
 namespace moat {
@@ -68,6 +69,8 @@ class NewtonSolver {
   NewtonSolver(NewtonSolver&&) noexcept;
   NewtonSolver& operator=(NewtonSolver&&) noexcept;
 
+  /// Writes or reads the scale by which round-off is judged, all that one solve() leaves for the next.
+  void archive(StateArchive& archive);
   /// Starts from x and leaves the last iterate there; the last call to compute_residual() was at that x.
   NewtonReport solve(Vector& x);
 

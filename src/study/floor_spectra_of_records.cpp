@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <iterator>
 #include <string>
 #include <utility>
 
+#include "base/text/text_file.hpp"
 #include "report/charts/chart_columns.hpp"
 
 namespace moat {
@@ -15,9 +15,9 @@ namespace {
 // The parts of a place of "floor_sa": "roof, corner 2, x, 5 %, 0.3 s", on a line "roof, 5 %, 0.3 s".
 struct SpectrumPlace {
   explicit SpectrumPlace(std::string where) {
-    period = std::strtod(last_of(where).c_str(), nullptr);
+    period = scan_number(last_of(where)).value;
     title = "Floor spectrum, " + where;
-    damping = std::strtod(last_of(where).c_str(), nullptr) / 100.0;
+    damping = scan_number(last_of(where)).value / 100.0;
     if (where.ends_with(", x") || where.ends_with(", y")) direction = last_of(where);
     if (where.substr(std::min(where.rfind(", "), where.size())).starts_with(", corner ")) place = last_of(where);
     floor = where;

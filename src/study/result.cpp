@@ -70,7 +70,8 @@ std::string_view name_of(CaseState state) {
 double value_of(const StudyRecord& record, std::string_view quantity, std::string_view where) {
   for (const NamedNumber& each : record)
     if (each.quantity == quantity && each.where == where) return each.value;
-  throw InputError{"There is no result \"" + std::string{quantity} + "\" of \"" + std::string{where} + "\"."};
+  throw InputError{"There is no result \"" + std::string{quantity} + "\" of \"" + std::string{where} +
+                   "\". Give quantity and place as the table of results writes them."};
 }
 
 StudyResult::StudyResult(const StudyResult& other) = default;

@@ -6,6 +6,7 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <unordered_map>
 #include <utility>
 
 #include "base/text/number_format.hpp"
@@ -29,6 +30,8 @@ double sense_of(std::string_view quantity) { return quantity == "clearance_left"
 
 Statistics in_sense(Statistics of, double sense) {
   for (double* value : {&of.mean, &of.median, &of.fractile_84, &of.largest}) *value *= sense;
+  // A clearance is no lognormal variable: it changes its sign.
+  if (sense < 0.0) of.lognormal_median = of.lognormal_84 = of.dispersion = Statistics::unknown;
   return of;
 }
 
@@ -99,11 +102,12 @@ std::string in_report(double value, const std::string& unit) {
 
 StudyGroups groups_over(const StudyResult& study, std::string_view axis) {
   StudyGroups groups;
+  std::unordered_map<std::string, std::size_t> places;
   for (std::size_t number = 0; number < study.outcomes().size(); ++number) {
     const std::string name = other_axes(StudyCase{study.cases(), number}, axis);
-    auto found = std::ranges::find(groups, name, &StudyGroups::value_type::first);
-    if (found == groups.end()) found = groups.insert(groups.end(), {name, {}});
-    found->second.push_back(number);
+    const auto [found, is_new] = places.try_emplace(name, groups.size());
+    if (is_new) groups.push_back({name, {}});
+    groups[found->second].second.push_back(number);
   }
   return groups;
 }

@@ -14,46 +14,8 @@
 namespace moat {
 namespace {
 
-constexpr std::size_t most_quantities = 8, most_curves = 7, fewest_values = 3;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
-
-/// One number for every case.
-struct Response {
-  std::string quantity, title, label;
-  std::vector<double> values;
-};
-
-std::vector<Response> responses_of(const StudyResult& study) {
-  std::vector<Response> list;
-  std::map<std::string, std::size_t> known;
-  const std::vector<Column>& columns = study.table().columns;
-  for (std::size_t c = study.axes().size(); c < columns.size(); ++c) {
-    const Column& column = columns[c];
-    if (!is_response(column.quantity)) continue;
-    const bool smallest = column.quantity == "clearance_left";
-    const EngineeringUnit unit = engineering_unit(column.unit);
-    const auto [found, added] = known.try_emplace(column.quantity, list.size());
-    if (added) {
-      const std::string words = in_words(column.quantity);
-      const bool of_places = !column.where.empty();
-      list.push_back({column.quantity, of_places ? (smallest ? "Smallest " : "Largest ") + words : capitalised(words),
-                      words + (unit.symbol == "1" ? "" : " [" + with_raised_digits(unit.symbol) + "]"),
-                      std::vector(study.outcomes().size(), nan)});
-    }
-    std::vector<double>& values = list[found->second].values;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const double value = unit.per_si * column.values[i];
-      if (std::isnan(values[i]) || (smallest ? value < values[i] : value > values[i])) values[i] = value;
-    }
-  }
-  const auto collapsed = std::ranges::find(columns, "collapsed", &Column::quantity);
-  for (Response& response : list)
-    for (std::size_t i = 0; i < response.values.size() && collapsed != columns.end(); ++i)
-      if (collapsed->values[i] > 0.0 && !is_of_pounding(response.quantity)) response.values[i] = infinity;
-  std::stable_partition(list.begin(), list.end(), [](const Response& each) { return is_of_pounding(each.quantity); });
-  if (list.size() > most_quantities) list.resize(most_quantities);
-  return list;
-}
+constexpr std::size_t most_curves = 7, fewest_values = 3;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<std::size_t> numeric_axes(const StudyResult& study) {
   std::vector<std::size_t> list;
@@ -120,7 +82,7 @@ double fractile(std::vector<double> values, double share) {
 std::vector<Chart> axis_charts(const StudyResult& study) {
   std::vector<Chart> charts;
   for (const std::size_t axis : numeric_axes(study))
-    for (const Response& response : responses_of(study)) {
+    for (const StudyResponse& response : responses_of(study)) {
       const Curves curves = curves_over(study, axis, response.values);
       if (curves.empty()) continue;
       Chart chart{
@@ -145,7 +107,7 @@ std::vector<HeatMap> heat_maps(const StudyResult& study) {
   if (axes.size() != 2 || study.cases().groups()[axes[0]] == study.cases().groups()[axes[1]]) return {};
   const StudyAxis &x = study.axes()[axes[0]], &y = study.axes()[axes[1]];
   std::vector<HeatMap> maps;
-  for (const Response& response : responses_of(study)) {
+  for (const StudyResponse& response : responses_of(study)) {
     std::vector cells(y.values.size(), std::vector<std::vector<double>>(x.values.size()));
     for (std::size_t number = 0; number < response.values.size(); ++number) {
       if (std::isnan(response.values[number])) continue;

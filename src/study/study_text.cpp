@@ -1,10 +1,14 @@
 #include "study/study_text.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "base/check.hpp"
 #include "base/text/number_format.hpp"
+#include "base/text/utf8_text.hpp"
+#include "output/files/engineering_unit.hpp"
+#include "study/responses.hpp"
 
 namespace moat {
 namespace {
@@ -68,6 +72,30 @@ std::string session_lines(const StoredStudy& study) {
 }
 
 }  // namespace
+
+std::string case_lines(const StudyResult& study) {
+  constexpr std::size_t most_cases = 24, most_responses = 6;
+  std::vector<StudyResponse> responses = responses_of(study);
+  if (responses.empty() || study.cases().count() > most_cases) return "";
+  responses.resize(std::min(responses.size(), most_responses));
+  std::vector<std::vector<std::string>> lines(study.cases().count() + 1);
+  for (const StudyAxis& axis : study.axes()) {
+    lines.front().push_back(axis.name + (axis.unit.empty() ? "" : " [" + axis.unit + "]"));
+    for (std::size_t i = 1; i < lines.size(); ++i) lines[i].push_back(StudyCase{study.cases(), i - 1}.label(axis.name));
+  }
+  for (const StudyResponse& response : responses) {
+    lines.front().push_back(response.label);
+    double largest = 0.0;
+    bool counts = response.label.find('[') == std::string::npos;
+    for (const double value : response.values) {
+      if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+      counts = counts && (!std::isfinite(value) || value == std::round(value));
+    }
+    for (std::size_t i = 1; i < lines.size(); ++i)
+      lines[i].push_back(with_decimals(response.values[i - 1], counts ? 0 : decimals_for(largest)));
+  }
+  return in_columns(lines);
+}
 
 std::string description_of(const StoredStudy& study) {
   const StudyResult& result = study.result;

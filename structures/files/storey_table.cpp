@@ -87,9 +87,11 @@ StoreyTable read_storeys(const std::filesystem::path& file, const Outlines& outl
         table.refuse(row, "the ground has no mass. Call the row base.");
     } else {
       storeys.floors.push_back(floor_of(table, row, outlines));
-      const std::string number = std::to_string(storeys.floors.size()), name = upper_case(storeys.floors.back().name);
-      if (name.starts_with("FLOOR ") && is_number(name.substr(6)) && name.substr(6) != number)
-        table.refuse(row, table.word(row, "name") + " is the floor in place " + number +
+      const std::size_t place = storeys.floors.size();
+      const std::string name = upper_case(storeys.floors.back().name);
+      if (name.starts_with("FLOOR ") && is_number(name.substr(6)) &&
+          parse_number(name.substr(6)).value != static_cast<double>(place))
+        table.refuse(row, table.word(row, "name") + " is the floor in place " + std::to_string(place) +
                               " from below. Rows stand from the lowest up unless there is an elevation; floor 1 is the "
                               "first above base or ground.");
       storeys.floors.back().height = height_of(table, row, below);

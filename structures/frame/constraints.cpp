@@ -25,7 +25,7 @@ class Builder {
   Builder(const FiniteElements& model, const NodeNumbers& numbers, const Check& check)
       : model_{model}, check_{check}, numbers_{numbers} {
     const auto motions = 6 * std::ssize(model.nodes);
-    check.that(motions > 0, "it has no nodes.");
+    check.that(motions > 0, "it has no nodes.", "Give them in .nodes.");
     check.that(!model.diaphragms.empty(), "it has no levels.", "Give the heights of its floors.");
     table_ = model.equations;
     if (model.equations.size() == 0) {
@@ -80,9 +80,11 @@ class Builder {
     const auto distance = [&](const FrameNode& node) { return std::abs((node.z - *level.height).si()); };
     for (std::size_t node = 0; node < model_.nodes.size(); ++node)
       if (distance(model_.nodes[node]) <= place_tolerance) nodes.push_back(node);
-    check_.that(!nodes.empty(), "diaphragm " + name + " has no nodes within 1 mm of its height of " +
-                                    to_text(level.height->si()) + " m; the nearest node lies at " +
-                                    to_text(std::ranges::min(model_.nodes, {}, distance).z.si()) + " m.");
+    check_.that(!nodes.empty(),
+                "diaphragm " + name + " has no nodes within 1 mm of its height of " + to_text(level.height->si()) +
+                    " m; the nearest node lies at " + to_text(std::ranges::min(model_.nodes, {}, distance).z.si()) +
+                    " m.",
+                "Give the height of its nodes, or the nodes themselves.");
     return nodes;
   }
 
@@ -205,7 +207,8 @@ class Builder {
 NodeNumbers::NodeNumbers(const std::vector<FrameNode>& nodes, const Check& check) : nodes_{nodes}, check_{check} {
   numbers_.reserve(nodes.size());
   for (std::size_t node = 0; node < nodes.size(); ++node) {
-    check.that(numbers_.emplace(name(node), node).second, "node " + name(node) + " is given twice.");
+    check.that(numbers_.emplace(name(node), node).second, "node " + name(node) + " is given twice.",
+               "Give every node a name of its own.");
     for (const Length& coordinate : {nodes[node].x, nodes[node].y, nodes[node].z})
       check.finite("a coordinate of node " + name(node), coordinate);
   }

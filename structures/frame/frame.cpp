@@ -27,7 +27,7 @@ RectangularSection::operator MemberSection() const {
 
 FiniteElements Frame::finite_elements() const {
   const Check check{"Frame", name};
-  check.that(!members.empty(), "it has no members.");
+  check.that(!members.empty(), "it has no members.", "Give them in .members.");
   const NodeNumbers numbers{nodes, check};
   const Eigen::Index size = 6 * std::ssize(nodes);
   Vector masses_of_motions = Vector::Zero(size);

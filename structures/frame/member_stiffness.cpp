@@ -93,12 +93,15 @@ PlacedMember place_member(const FrameMember& member, const Vector3& from, const 
   const Vector3 whole = to - from, flexible = whole + offset_to - offset_from;
   const double distance = whole.norm();
   if (distance <= 1e-6)
-    check.that(false, name + ": nodes " + member.from.value().text() + " and " + member.to.value().text() +
-                          " are at the same place.");
+    check.that(
+        false,
+        name + ": nodes " + member.from.value().text() + " and " + member.to.value().text() + " are at the same place.",
+        "Give one of them another place, or the member other ends.");
   const double inwards = (offset_from - offset_to).dot(whole) / distance;
   if (!(inwards < (1.0 - 1e-9) * distance))
-    check.that(false, name + ": its offsets (" + to_text(inwards) + " m) are longer than it is (" + to_text(distance) +
-                          " m).");
+    check.that(false,
+               name + ": its offsets (" + to_text(inwards) + " m) are longer than it is (" + to_text(distance) + " m).",
+               "Offsets lead from its nodes inwards.");
   PlacedMember placed;
   placed.length = flexible.norm();
   Matrix12 local = local_stiffness(member, placed.length);

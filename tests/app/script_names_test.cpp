@@ -32,6 +32,11 @@ TEST_F(OptionNames, AreUsedOnce) {
 
 TEST_F(OptionNames, OfTheScriptItselfAreTaken) {
   EXPECT_THROW(script.text("help", "", ""), InputError);
+  EXPECT_EQ(script.text("wall", "built", "wall", {"built", "rigid"}), "built");
+  EXPECT_EQ(message_of([&] {
+              script.text("face", "Built", "wall", {"built", "rigid"});
+            }),
+            "--face: \"Built\" is not one of built, rigid.");
   script.motion(near_fault_pulse());
   EXPECT_THROW(script.text("record", "", ""), InputError);
   script.number("quiet", 1.0, "");

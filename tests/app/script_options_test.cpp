@@ -96,7 +96,8 @@ TEST_F(ScriptOptions, RefusesAValueWithoutOrWithAWrongUnit) {
                  "moat: error: --number: \"5%\" is in percent. Write it as a plain number: 0.05.\n");
   for (const char* text : {"2.5", "two", "3 ", "99999999999"})
     expect_refusal({"--integer", text}, 1,
-                   "moat: error: --integer: \"" + std::string{text} + "\" is not a whole number.\n");
+                   "moat: error: --integer: \"" + std::string{text} +
+                       "\" is not a whole number. Write digits alone, 5 for example.\n");
 }
 
 TEST_F(ScriptOptions, TheIntegratorIsChosenByName) {
@@ -207,6 +208,8 @@ TEST_F(ScriptOptions, HelpListsEveryOptionWithItsUnitAndDefault) {
                            "--integrator TEXT=",
                            "--end [s]=",
                            "--frame-interval [s]=",
+                           "--checkpoint [s]=",
+                           "--resume",
                            "--check",
                            "--sensitivity",
                            "--no-sensitivity",

@@ -28,8 +28,9 @@ TEST(Check, NamesObjectParameterValueRangeUnitAndAdvice) {
   EXPECT_EQ(message_of([] { check.positive("clearance", -10 * cm, "Give the distance at rest."); }),
             "Gap \"moat left\": clearance = -0.1 m is not allowed; it must be > 0 m and finite. "
             "Give the distance at rest.");
-  EXPECT_EQ(message_of([] { check.above_up_to("restitution", 1.2, 0.0, 1.0, "1"); }),
-            "Gap \"moat left\": restitution = 1.2 is not allowed; it must be > 0 and <= 1.");
+  EXPECT_EQ(
+      message_of([] { check.above_up_to("restitution", 1.2, 0.0, 1.0, "1"); }),
+      "Gap \"moat left\": restitution = 1.2 is not allowed; it must be > 0 and <= 1. Give a number in this range.");
 }
 
 TEST(Check, RefusesWhatIsNotFinite) {

@@ -109,8 +109,8 @@ TEST(ParseQuantity, RefusesWhatIsNoNumber) {
 
 TEST(ParseQuantity, RefusesAValueBeyondTheLargestNumber) {
   for (const char* text : {"1e308 km", "1e999 m", "-1e400 cm", "1e400", "+1e309 furlong"})
-    EXPECT_EQ(refusal<Length>(text), "--value: \"" + std::string{text} + "\" is too large.");
-  EXPECT_EQ(refusal<Dimensionless>("1e400"), "--value: \"1e400\" is too large.");
+    EXPECT_EQ(refusal<Length>(text), "--value: \"" + std::string{text} + "\" is too large. Check its exponent.");
+  EXPECT_EQ(refusal<Dimensionless>("1e400"), "--value: \"1e400\" is too large. Check its exponent.");
 }
 
 TEST(ParseQuantity, RefusesAQuantityBeyondEveryBuilding) {

@@ -48,7 +48,9 @@ TEST(Places, HaveNumbersFromOne) {
   EXPECT_EQ(floors.numbered(3, owner, "floor"), 30);
   for (const int number : {-1, 0, 4})
     EXPECT_EQ(message_of([&] { return floors.numbered(number, owner, "floor"); }),
-              "Building \"tower\": floor = " + std::to_string(number) + " is not allowed; it must be >= 1 and <= 3.");
+              "Building \"tower\": floor = " + std::to_string(number) +
+                  " is not allowed; it must be >= 1 and <= 3. Give a number in "
+                  "this range.");
 }
 
 }  // namespace

@@ -104,15 +104,18 @@ TEST(OpenSeesModel, ClosesItsGapsOnTheRightSides) {
   ASSERT_EQ(gaps.size(), 2u);
   ASSERT_EQ(tcl.measured.size(), 2u);
   double sum_of_closing_moves = 0.0;
+  int elements = 0;
   for (const auto& line : tcl.starting_with("element")) {
     const auto found = gaps.find(line[6]);
     if (found == gaps.end()) continue;
+    ++elements;
     EXPECT_DOUBLE_EQ(std::stod(found->second[3]), contact_stiffness);
     EXPECT_DOUBLE_EQ(std::stod(found->second[5]), -gap);
     EXPECT_TRUE((line[3] == "0") != (line[4] == "0")) << "one end is the ground";
     // The move of the base that shortens the element: to the right where it is the first end.
     sum_of_closing_moves += line[3] == "1" ? 1.0 : -1.0;
   }
+  EXPECT_EQ(elements, 2);
   EXPECT_EQ(sum_of_closing_moves, 0.0) << "one wall on either side";
 }
 

@@ -24,6 +24,8 @@ Asce7Sheet sheet_of(SheetBuilding building = sheet_building()) {
 
 DesignSheet made(const Asce7Sheet& sheet) { return sheet; }
 
+// The formulas of the clauses, worked in double precision by a program that shares no code with moat: the displacement
+// as the root of its own equation, for the building of sheet_building() and the spectrum of sheet_of().
 TEST(Asce7Sheet, HasTheNumbersOfAnIndependentProgram) {
   const DesignSheet sheet = sheet_of();
   const auto line = [&](const char* symbol) { return sheet.line(symbol); };

@@ -1,6 +1,6 @@
 # code_blocks.awk -v folder=FOLDER DOCUMENT.md: writes the C++ blocks of a document as files that compile.
 #
-#   script_N.cpp    a block with main()
+#   script_N.cpp    a block with main(); script_NAME.cpp behind a comment "<!-- script: NAME -->"
 #   fragments.cpp   all others: inside main(), each in the scope of those before it, so that it may use their names; those
 #                   that begin with an #include, a struct or a template stand in front of main()
 #
@@ -20,7 +20,8 @@ BEGIN {
 function finish_block(    line) {
   line = "#line " first " \"" FILENAME "\"\n"
   if (block ~ /int main\(/) {
-    file = folder "/script_" ++scripts ".cpp"
+    ++scripts
+    file = folder "/script_" (name ? name : scripts) ".cpp"
     printf "%s%s\n%s%s", block ~ /#include <moat/ ? "" : usual, given, line, block >file
     close(file)
   } else if (namespace_scope) {
@@ -33,6 +34,7 @@ function finish_block(    line) {
     ++scopes
   }
   given = ""
+  name = ""
   namespace_scope = 0
 }
 
@@ -43,6 +45,10 @@ function finish_block(    line) {
 /^<!-- given at namespace scope: .* -->$/ {
   given = substr($0, 32, length($0) - 35)
   namespace_scope = 1
+  next
+}
+/^<!-- script: .* -->$/ {
+  name = $3
   next
 }
 /^```/ && inside {

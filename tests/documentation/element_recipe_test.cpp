@@ -30,8 +30,9 @@ TEST(ElementRecipe, PullsAndNeverPushes) {
 }
 
 TEST(ElementRecipe, RefusesABadParameter) {
-  EXPECT_EQ(message_of([] { mass_on_a_cable(-1 * cm); }),
-            "Cable \"cable\": slack = -0.01 m is not allowed; it must be >= 0 m and finite.");
+  EXPECT_EQ(
+      message_of([] { mass_on_a_cable(-1 * cm); }),
+      "Cable \"cable\": slack = -0.01 m is not allowed; it must be >= 0 m and finite. Check its sign and its unit.");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "impact_cases.hpp"
 #include "moat.hpp"
+#include "small_models.hpp"
 #include "spring_battery.hpp"
 
 namespace moat::testing {
@@ -20,13 +21,7 @@ Chart impact_of() {
   constexpr double time_step = 0.25e-3, millimetres = 1e3, meganewtons = 1e-6;
   constexpr std::size_t samples = 800;
   constexpr bool is_linear = requires(Law law) { law.stiffness = 1 * N / m; };
-  Model model;
-  const NodeId body = add(model, Node{.name = "body", .mass = 500 * tonne, .initial_velocity = 1 * m / s});
-  add(model, Gap{.name = "wall",
-                 .left = body,
-                 .right = ground,
-                 .clearance = 1 * mm,
-                 .law = impact_law<Law>(is_linear ? 1.8e9 : 1e10, 0.65)});
+  const Model model = body_before_wall(impact_law<Law>(is_linear ? 1.8e9 : 1e10, 0.65), 5e5, 1.0, 1e-3);
   const CaseResult result = run_case(model, GroundMotion{"rest", time_step, std::vector<double>(samples, 0.0)},
                                      {.error_bars = ErrorBarMode::never});
   Chart chart{std::string{Law::name}, "indentation [mm]", "force [MN]", {Series{}}};

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "analyses/case/case_warnings.hpp"
+#include "analyses/case/input_warnings.hpp"
 #include "materials/impact/hertz.hpp"
 #include "message_of.hpp"
 #include "moved_model.hpp"
@@ -135,6 +135,19 @@ TEST(CornerGap, TangentialStiffnessFollowsTheNormalLaw) {
   EXPECT_EQ(slabs.model.blocks()[0]->info(0).law_as_given()->parameters.back().name, "share");
   const auto& parameters = slabs.model.blocks()[0]->info(0).law_as_given()->parameters;
   EXPECT_EQ(parameters[parameters.size() - 2], (Parameter{"tangential_stiffness_ratio", 0.85, "1"}));
+}
+
+// The stiffness of friction that the law gives does not depend on the form in which its restitution was given.
+TEST(CornerGap, FrictionFollowsALawWhoseRestitutionMayFall) {
+  const auto stiffness = [](const Restitution& restitution) {
+    const BilinearImpact law{.stiffness = 1e10 * units::N / units::m_3_2,
+                             .restitution = restitution,
+                             .expected_indentation = 10 * units::mm};
+    return CornerLaw<BilinearImpact>{.law = law, .effective_mass = 1e5, .share = 1.0, .gives_grip = true}
+        .acting_friction()
+        .tangential_stiffness;
+  };
+  EXPECT_NEAR(stiffness(MeasuredRestitution{{{1 * units::m / units::s, 0.65}}}) / stiffness(0.65), 1.0, 1e-12);
 }
 
 TEST(CornerGap, JamsWhereFrictionPressesTheCornerIn) {

@@ -82,15 +82,18 @@ TEST(LinkElements, TellWhichParameterIsWrong) {
   ShearSpring soft = spring(ground, nodes.a);
   soft.stiffness = -2 * N / m;
   EXPECT_EQ(message_of([&] { add(nodes.model, soft); }),
-            "ShearSpring \"storey 1\": stiffness = -2 N/m is not allowed; it must be > 0 N/m and finite.");
+            "ShearSpring \"storey 1\": stiffness = -2 N/m is not allowed; it must be > 0 N/m and finite. Check its "
+            "sign and its unit.");
   ViscousDamper dry = damper(ground, nodes.a);
   dry.damping = 0 * N * s / m;
   EXPECT_EQ(message_of([&] { add(nodes.model, dry); }),
-            "ViscousDamper \"dashpot\": damping = 0 N s/m is not allowed; it must be > 0 N s/m and finite.");
+            "ViscousDamper \"dashpot\": damping = 0 N s/m is not allowed; it must be > 0 N s/m and finite. Check its "
+            "sign and its unit.");
   LeadRubberBearing weak{
       .upper = nodes.a, .yield_force = 0 * N, .yield_displacement = 1 * cm, .post_yield_stiffness = 10 * MN / m};
   EXPECT_EQ(message_of([&] { add(nodes.model, weak); }),
-            "LeadRubberBearing \"bearings\": yield_force = 0 N is not allowed; it must be > 0 N and finite.");
+            "LeadRubberBearing \"bearings\": yield_force = 0 N is not allowed; it must be > 0 N and finite. Check its "
+            "sign and its unit.");
 }
 
 const BearingDesign design{
@@ -147,7 +150,8 @@ TEST(LeadRubberBearing, RefusesADesignThatIsNotPositive) {
   BearingDesign bad = design;
   bad.isolation_period = 0 * s;
   EXPECT_EQ(message_of([&] { static_cast<void>(LeadRubberBearing::from_design(bad)); }),
-            "LeadRubberBearing::from_design: isolation_period = 0 s is not allowed; it must be > 0 s and finite.");
+            "LeadRubberBearing::from_design: isolation_period = 0 s is not allowed; it must be > 0 s and finite. Check "
+            "its sign and its unit.");
 }
 
 }  // namespace

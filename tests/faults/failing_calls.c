@@ -1,13 +1,14 @@
 /* For LD_PRELOAD: disturbs a program at its FAULT_AT-th call of a kind.
  *
- *     FAULT_CALL=write    writes to regular files (write, writev, pwrite) fail with "No space left on device" from then
- * on FAULT_CALL=change   the process is killed before that unlink, rename, mkdir or rmdir
+ *     FAULT_CALL=write    this write to a regular file and all later ones fail with "No space left on device"
+ *     FAULT_CALL=change   the process is killed before this change of a name, of rights, or wait for the disk
  */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
 #include <signal.h>
 #include <stdatomic.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -51,5 +52,13 @@ ssize_t pwrite64(int file, const void* bytes, size_t count, off64_t at) {
 int unlink(const char* path) { return end_here(), NEXT(unlink)(path); }
 int remove(const char* path) { return end_here(), NEXT(remove)(path); }
 int rename(const char* from, const char* to) { return end_here(), NEXT(rename)(from, to); }
+int renameat2(int old, const char* from, int new, const char* to, unsigned how) {
+  return end_here(), NEXT(renameat2)(old, from, new, to, how);
+}
+int link(const char* from, const char* to) { return end_here(), NEXT(link)(from, to); }
+int fchmodat(int folder, const char* path, mode_t mode, int how) {
+  return end_here(), NEXT(fchmodat)(folder, path, mode, how);
+}
+int syncfs(int file) { return end_here(), NEXT(syncfs)(file); }
 int mkdir(const char* path, mode_t mode) { return end_here(), NEXT(mkdir)(path, mode); }
 int rmdir(const char* path) { return end_here(), NEXT(rmdir)(path); }

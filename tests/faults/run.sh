@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Kill, disk and fault trials of runs and studies: run.sh BUILD [TRIAL...]. Takes at most 4 minutes.
 #
-# After each fault: the exit code of docs/guide.md, whole files, a mark where results are incomplete, files of the user
+# After each fault: the exit code of docs/reference/scripts.md, whole files, a mark where results are incomplete, files of the user
 # as they were, and a further run that completes. Exit code 1 if anything of this fails.
 # shellcheck disable=SC2317,SC2015 # trials are called by their names; the command between && and || does not fail
 set -uo pipefail
@@ -86,6 +86,25 @@ trial_run_told_to_end() {
   done
 }
 
+trial_run_goes_on() { # from its checkpoints, as often as it is killed
+  local kills=0 file resume=() checked=("${own[@]}" "$run" --quiet --check --step "1e-4 s" --frame-interval "0.5 s")
+  "${checked[@]}" --out whole --checkpoint "0 s" >output 2>errors || fail "the undisturbed run: $(cat errors)"
+  checked+=(--out out --checkpoint "1 ms")
+  while ((kills < 20)); do
+    disturbed KILL 100 500 "${checked[@]}" "${resume[@]}"
+    ((code == 137)) || break
+    kills=$((kills + 1))
+    if [[ -f out/checkpoint ]]; then resume=(--resume); else rm -rf out; fi
+  done
+  ((code == 0)) || "${checked[@]}" --resume 2>errors || fail "it does not go on: $(cat errors)"
+  ((kills >= 10)) || fail "it was killed $kills times only"
+  expect_valid complete out
+  [[ ! -e out/checkpoint ]] || fail "the checkpoint stays"
+  for file in histories.csv histories.vtt impacts.csv peaks.csv floor_spectra.csv frames.pvd; do
+    cmp "whole/$file" "out/$file" || fail "$file differs from that of an undisturbed run"
+  done
+}
+
 trial_run_paused() {
   "${short[@]}" whole
   "${short[@]}" out &
@@ -150,7 +169,7 @@ trial_force_killed() { # while it computes, and before the k-th change of files 
     code=$?
     expect_code "$code" "0 137"
     faults=$((faults + 1))
-    expect_valid "unfinished complete" out
+    expect_valid complete out
     expect_mine out
     "${short[@]}" out --force 2>errors || fail "killed at change $k: a further run: $(cat errors)"
     expect_valid complete out

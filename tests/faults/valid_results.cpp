@@ -67,14 +67,13 @@ int main(int count, char** folders) {
   int torn = 0;
   for (int i = 1; i < count; ++i) {
     const fs::path folder = folders[i];
-    const bool is_unfinished = fs::exists(folder / "unfinished");
     const bool is_complete = fs::exists(folder / "summary.json") && fs::exists(folder / ".moat");
+    const bool is_unfinished = !is_complete && fs::exists(folder / "unfinished");
     std::cout << (is_unfinished ? "unfinished" : is_complete ? "complete" : "partial") << "\n";
     const std::string frames = text_of(folder / "frames.pvd");
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator{folder}) {
       const fs::path& file = entry.path();
-      // A run that was killed may leave the file that it wrote then: a temporary one, or a frame that is not listed. In
-      // the exchange of --force frames go before their list.
+      // A run that was killed may leave the file that it wrote then: a temporary one, or a frame that is not listed.
       const std::string name = file.filename();
       const bool was_in_work = name.find(".unfinished-") != std::string::npos || file.extension() == ".pvd" ||
                                (file.extension() == ".vtu" && frames.find(name) == std::string::npos);

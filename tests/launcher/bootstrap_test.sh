@@ -240,6 +240,8 @@ case $case in
     make_read_only
     launch run "$world/tower.cpp"
     handed_over "$HOME/.cache/moat/${root//\//%}"
+    [[ $(stat -c %a "$HOME/.cache/moat" "$HOME/.cache/moat/${root//\//%}") == $'700\n700' ]] ||
+      fail "the cache is open to others"
     launch run "$world/tower.cpp"
     not_called .
     export XDG_CACHE_HOME="$HOME/other"

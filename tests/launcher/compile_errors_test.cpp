@@ -151,6 +151,27 @@ TEST_F(CompileErrors, PointAtTheLineWithoutSemicolon) {
 }
 
 // A tabulator and letters of several bytes stand in front of the list.
+TEST_F(CompileErrors, PointAtASemicolonInsideAList) {
+  expect_first("int main() {" + wall + "add(model, Moat{.around = base;\n.clearance = 10 * cm" + law + "}); }",
+               "6: this semicolon stands inside a list in braces; take a comma\n");
+  expect_first("const ShearBuilding building{.storeys = 4;\n  .floor_mass = 500 * tonne};",
+               "4: this semicolon stands inside a list in braces; take a comma\n");
+}
+
+TEST_F(CompileErrors, NameAFunctionWithoutReturn) {
+  const std::string begin = "int main(int argc, char** argv) {\nScript script{argc, argv, \"gaps\"};\n";
+  const std::string study = "script.study({StudyAxis{.name = \"gap\", .values = {1}}}, [](const StudyCase&) {\n";
+  const std::string model = "StudyModel one{Model{}, near_fault_pulse({.pulse_period = 1 * s})};\n";
+  expect_first(begin + study + model + "});\nreturn script.finish();\n}",
+               "6: the function that is given here returns nothing; end it with `return NAME;`\n");
+  expect_no_sentence(begin + study + model + "return 3 * m;\n});\nreturn script.finish();\n}");
+}
+
+TEST_F(CompileErrors, NameTheDimensionOfTheValuesOfAnAxis) {
+  expect_first("const StudyAxis gap{.name = \"gap\", .unit = \"cm\",\n.values = {10 * cm, 20 * cm}};",
+               "5: field values of StudyAxis: 10 * cm is a length [m], but a number without unit is needed\n");
+}
+
 TEST_F(CompileErrors, CountColumnsAsTheCompiler) {
   expect_first(
       "\tconst std::string a = \"\xC3\xA4\xC3\xB6\xC3\xBC\"; const Node n{.name = \"\xC3\xA4\", .masses = 1 * kg};",

@@ -42,9 +42,11 @@ TEST(BilinearImpact, RefusesStiffnessesThatNoParametersHave) {
     return message_of([&] { static_cast<void>(BilinearImpact::from_stiffnesses(loading, yielding, 2 * mm)); });
   };
   EXPECT_EQ(refusal(300 * MN / m, 300 * MN / m),
-            "BilinearImpact::from_stiffnesses: loading = 3e+08 N/m is not allowed; it must be above yielding.");
+            "BilinearImpact::from_stiffnesses: loading = 3e+08 N/m is not allowed; it must be above yielding. Check "
+            "its sign and its unit.");
   EXPECT_EQ(refusal(300 * MN / m, 0 * N / m),
-            "BilinearImpact::from_stiffnesses: yielding = 0 N/m is not allowed; it must be > 0 N/m and finite.");
+            "BilinearImpact::from_stiffnesses: yielding = 0 N/m is not allowed; it must be > 0 N/m and finite. Check "
+            "its sign and its unit.");
   EXPECT_EQ(refusal(10 * GN / m, 1 * GN / m),
             "BilinearImpact::from_stiffnesses: loading = 1e+10 N/m is not allowed; it must be nearer to yielding, or "
             "yield_share smaller. The energy lost to d_y / yield_share exceeds that of the Hertz contact.");

@@ -174,25 +174,30 @@ TEST(FrictionModels, RefuseBadConstants) {
   for (const Friction& friction : all_models()) EXPECT_EQ(refusal(friction), "nothing was thrown");
   KumarFriction wrong = kumar();
   wrong.reference_coefficient = 0.31;
-  EXPECT_EQ(refusal(wrong), start + "reference_coefficient = 0.31 is not allowed; it must be > 0 and <= 0.3.");
+  EXPECT_EQ(
+      refusal(wrong),
+      start + "reference_coefficient = 0.31 is not allowed; it must be > 0 and <= 0.3. Give a number in this range.");
   wrong = kumar();
   wrong.reference_pressure = -1.0 * N / (m * m);
-  EXPECT_EQ(refusal(wrong), start + "reference_pressure = -1 Pa is not allowed; it must be > 0 Pa and finite.");
+  EXPECT_EQ(
+      refusal(wrong),
+      start + "reference_pressure = -1 Pa is not allowed; it must be > 0 Pa and finite. Check its sign and its unit.");
   wrong = kumar();
   wrong.area = 0.0 * m * m;
-  EXPECT_EQ(refusal(wrong), start + "area = 0 m^2 is not allowed; it must be > 0 m^2 and finite.");
+  EXPECT_EQ(refusal(wrong),
+            start + "area = 0 m^2 is not allowed; it must be > 0 m^2 and finite. Check its sign and its unit.");
   wrong = kumar();
   wrong.rate = 0.0 * s / m;
   EXPECT_EQ(refusal(wrong),
             start + "rate = 0 s/m is not allowed; it must be > 0 s/m and <= 300 s/m. 20 to 100 s/m is usual.");
   EXPECT_EQ(refusal(LomientoFriction{.at_zero_force = 0.0, .reference_force = 1 * MN}),
-            start + "at_zero_force = 0 is not allowed; it must be > 0 and <= 0.3.");
+            start + "at_zero_force = 0 is not allowed; it must be > 0 and <= 0.3. Give a number in this range.");
   EXPECT_EQ(refusal(LomientoFriction{.at_zero_force = 0.1, .reference_force = 0 * MN}),
-            start + "reference_force = 0 N is not allowed; it must be > 0 N and finite.");
+            start + "reference_force = 0 N is not allowed; it must be > 0 N and finite. Check its sign and its unit.");
   EXPECT_EQ(refusal(LubricatedPtfe{.area = -1.0 * m * m}),
-            start + "area = -1 m^2 is not allowed; it must be > 0 m^2 and finite.");
+            start + "area = -1 m^2 is not allowed; it must be > 0 m^2 and finite. Check its sign and its unit.");
   EXPECT_EQ(refusal(LubricatedPtfe{.area = 1.0 * m * m, .temperature_factor = 1.2}),
-            start + "temperature_factor = 1.2 is not allowed; it must be > 0 and <= 1.");
+            start + "temperature_factor = 1.2 is not allowed; it must be > 0 and <= 1. Give a number in this range.");
 }
 
 }  // namespace

@@ -177,5 +177,27 @@ TEST(HeatedUnderWeight, HasExactTangentsAndBalancesItsEnergy) {
   EXPECT_LT(beside_corners, 100);
 }
 
+// After an event elsewhere the committed instant is evaluated again: force, tangents and rate are those of the step.
+TEST(HeatedUnderWeight, ShedsAtAnInstantThatIsEvaluatedAgain) {
+  const HeatedUnderWeight law = constant_friction();
+  HeatedUnderWeight::State state{.compression = 1e6}, shed, again;
+  constexpr double step = 0.01, deformation = 0.9e-3, falling = -2e7;  // s, m, N/s
+  law.evaluate(state, deformation, 0.0, {step, 0.0, deformation / step}, {1e6}, shed);
+  state = shed;
+  ASSERT_EQ(state.slider.direction, 0) << "45 kN of 50 kN";
+  const AxialForce axial{0.6e6};
+  const Response first = law.evaluate(state, deformation, 0.0, {step, deformation, 0.0}, axial, shed);
+  ASSERT_NE(shed.sheds, 0) << "45 kN of 30 kN";
+  const Response second = law.evaluate(shed, deformation, 0.0, {0.0, deformation, 0.0}, axial, again);
+  EXPECT_EQ(again.sheds, shed.sheds);
+  EXPECT_NEAR(second.force, first.force, 1e-9 * std::abs(first.force));
+  EXPECT_NEAR(second.stiffness, first.stiffness, 1e-9 * first.stiffness);
+  const double rate = law.force_rate(shed, deformation, 0.0, 0.0, falling);
+  EXPECT_NEAR(law.force_rate(again, deformation, 0.0, 0.0, falling), rate, 1e-6 * std::abs(rate));
+  // A weight that grows makes it stick.
+  law.evaluate(shed, deformation, 0.0, {0.0, deformation, 0.0}, {0.7e6}, again);
+  EXPECT_EQ(again.sheds, 0);
+}
+
 }  // namespace
 }  // namespace moat::testing

@@ -32,7 +32,7 @@ TEST(ImpactLawCheck, NamesTheStiffnessAndItsUnit) {
     for (const std::string wrong : {"-3", "0"})
       EXPECT_EQ(message(impact_law<Law>(std::stod(wrong), 0.65)), "Gap \"moat left\": stiffness = " + wrong + " " +
                                                                       unit + " is not allowed; it must be > 0 " + unit +
-                                                                      " and finite.");
+                                                                      " and finite. Check its sign and its unit.");
   });
 }
 
@@ -69,7 +69,8 @@ TEST(ImpactLawCheck, RefusesSmallRestitutionsWhereTheDampingGrowsAsTheirInverse)
 
 TEST(ImpactLawCheck, RefusesAContactThatWouldNeverEnd) {
   EXPECT_EQ(message(KelvinByDampingRatio{.stiffness = 1e9 * N / m, .damping_ratio = -0.1}),
-            "Gap \"moat left\": damping_ratio = -0.1 is not allowed; it must be >= 0 and finite.");
+            "Gap \"moat left\": damping_ratio = -0.1 is not allowed; it must be >= 0 and finite. Give a number in this "
+            "range.");
   EXPECT_EQ(message(KelvinByDampingRatio{.stiffness = 1e9 * N / m, .damping_ratio = 2.0}), "nothing was thrown");
   EXPECT_EQ(message(KelvinByDampingRatio{.stiffness = 1e9 * N / m, .damping_ratio = 1.0, .may_pull = true}),
             "Gap \"moat left\": damping_ratio = 1 is not allowed; it must be < 1 where may_pull is true. "
@@ -101,18 +102,18 @@ TEST(SpringLawCheck, NamesTheParameterItsRangeAndWhatToDo) {
   };
   const std::vector<Row> rows{
       {refusal(bilinear, [](auto& law) { law.yield_force = 0 * N; }),
-       "yield_force = 0 N is not allowed; it must be > 0 N and finite."},
+       "yield_force = 0 N is not allowed; it must be > 0 N and finite. Check its sign and its unit."},
       {refusal(bilinear, [](auto& law) { law.yield_displacement = -1 * cm; }),
-       "yield_displacement = -0.01 m is not allowed; it must be > 0 m and finite."},
+       "yield_displacement = -0.01 m is not allowed; it must be > 0 m and finite. Check its sign and its unit."},
       {refusal(bilinear, [](auto& law) { law.post_yield_stiffness = -1 * N / m; }),
-       "post_yield_stiffness = -1 N/m is not allowed; it must be >= 0 N/m and finite."},
+       "post_yield_stiffness = -1 N/m is not allowed; it must be >= 0 N/m and finite. Check its sign and its unit."},
       {refusal(bilinear, [](auto& law) { law.post_yield_stiffness = 100 * N / m; }),
        "post_yield_stiffness = 100 N/m is not allowed; it must be below the initial stiffness yield_force / "
        "yield_displacement = 100 N/m. Check the exponents of the three parameters."},
       {refusal(yielding, [](auto& law) { law.yield_share = 0.6; }),
        "yield_share = 0.6 is not allowed; it must be > 0 and <= 0.5. 0.1 is usual."},
       {refusal(yielding, [](auto& law) { law.expected_indentation = 0 * m; }),
-       "expected_indentation = 0 m is not allowed; it must be > 0 m and finite."},
+       "expected_indentation = 0 m is not allowed; it must be > 0 m and finite. Check its sign and its unit."},
       {refusal(BoucWen::typical(), [](auto& law) { law.beta = 0.4; }),
        "beta = 0.4 is not allowed; it must be from 0.5 to 10. Below 1/2 small cycles would gain energy."},
       {refusal(BoucWen::typical(), [](auto& law) { law.exponent = 0.5; }),
@@ -121,9 +122,9 @@ TEST(SpringLawCheck, NamesTheParameterItsRangeAndWhatToDo) {
        "post_yield_stiffness = 1e+09 N/m is not allowed; it must be below the initial stiffness yield_force / "
        "yield_displacement = 1.93e+08 N/m. Check the exponents of the three parameters."},
       {refusal(FrictionPendulum::typical(), [](auto& law) { law.radius = -1 * m; }),
-       "radius = -1 m is not allowed; it must be > 0 m and finite."},
+       "radius = -1 m is not allowed; it must be > 0 m and finite. Check its sign and its unit."},
       {refusal(FrictionPendulum::typical(), [](auto& law) { law.friction = 0.4; }),
-       "friction.coefficient = 0.4 is not allowed; it must be > 0 and <= 0.3."},
+       "friction.coefficient = 0.4 is not allowed; it must be > 0 and <= 0.3. Give a number in this range."},
       {refusal(FrictionPendulum::typical(),
                [](auto& law) { law.friction = VelocityDependent{.slow = 0.08, .fast = 0.06, .rate = 50 * s / m}; }),
        "friction.slow = 0.08 is not allowed; it must be > 0 and <= 0.06. Friction at rest is at most that at high "
@@ -148,7 +149,8 @@ TEST(SpringLawCheck, NamesTheParameterItsRangeAndWhatToDo) {
       {refusal(MaxwellDamper::typical(), [](auto& law) { law.exponent = 1.2; }),
        "exponent = 1.2 is not allowed; it must be from 0.1 to 1. Fluid dampers have 0.15 to 1."},
       {refusal(ImkBilinear::typical(), [](auto& law) { law.ultimate_drift = 5 * mm; }),
-       "ultimate_drift = 0.005 m is not allowed; it must be above the yield drift yield_force / stiffness = 0.01 m."},
+       "ultimate_drift = 0.005 m is not allowed; it must be above the yield drift yield_force / stiffness = 0.01 m. "
+       "Check its sign and its unit."},
       {refusal(HyperbolicBackfill{.initial_stiffness = 20.3 * MN / m, .ultimate_force = 326 * kN},
                [](auto& law) { law.unloading_stiffness = 10 * MN / m; }),
        "unloading_stiffness = 1e+07 N/m is not allowed; it must be >= initial_stiffness = 2.03e+07 N/m. A softer line "

@@ -274,6 +274,12 @@ TEST(SofteningRubber, TakesBilinearDesignsAndRefusesBadOnes) {
   EXPECT_NE(refusal(bad).find("post_yield_stiffness"), std::string::npos);
   bad.bearing = BearingDesign{.strength_ratio = 6.0, .isolation_period = 3 * s, .yield_displacement = 1 * cm};
   EXPECT_NE(refusal(bad).find("strength_ratio"), std::string::npos);
+  bad.bearing =
+      BearingDesign{.weight = 1 * MN, .strength_ratio = 0.06, .isolation_period = 3 * s, .yield_displacement = 1 * cm};
+  EXPECT_NE(refusal(bad).find("bearing.weight = 1e+06 N is not allowed; it must be left out. Give the weight of the "),
+            std::string::npos)
+      << refusal(bad);
+  bad.bearing = BearingDesign{.strength_ratio = 6.0, .isolation_period = 3 * s, .yield_displacement = 1 * cm};
   EXPECT_NE(message_of([&] { in_plan_under_changing_weight(bad, weight * N); }).find("strength_ratio"),
             std::string::npos);
 }

@@ -62,11 +62,13 @@ TEST(ModelInput, RefusesInitialValuesThatAreNotNumbers) {
   Model model;
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(message_of([&] { add(model, Node{.name = "a", .mass = 1 * kg, .initial_displacement = nan * m}); }),
-            "Node \"a\": initial_displacement = nan m is not allowed; it must be a finite number.");
+            "Node \"a\": initial_displacement = nan m is not allowed; it must be a finite number. Look for a division "
+            "by zero in the calculation that gave it.");
   EXPECT_EQ(message_of([&] { add(model, Node{.name = "a", .mass = 1 * kg, .initial_velocity = nan * m / s}); }),
-            "Node \"a\": initial_velocity = nan m/s is not allowed; it must be a finite number.");
+            "Node \"a\": initial_velocity = nan m/s is not allowed; it must be a finite number. Look for a division by "
+            "zero in the calculation that gave it.");
   EXPECT_EQ(message_of([&] { add(model, Node{.name = "a", .mass = 1 * kg, .half_width = 0 * m}); }),
-            "Node \"a\": half_width = 0 m is not allowed; it must be > 0 m and finite.");
+            "Node \"a\": half_width = 0 m is not allowed; it must be > 0 m and finite. Check its sign and its unit.");
 }
 
 TEST(ModelInput, RefusesNodesItDoesNotHave) {

@@ -115,7 +115,8 @@ TEST(GroundMotion, RefusesToScaleWhatCannotBeScaled) {
             "Give it as, for example, 0.4 * g.");
   EXPECT_THROW((void)motion.scaled_to_pga(-1 * g), InputError);
   EXPECT_EQ(message_of<InputError>([&] { (void)motion.scaled_by(std::numeric_limits<double>::infinity()); }),
-            "GroundMotion \"m\": scale factor = inf is not allowed; it must be a finite number.");
+            "GroundMotion \"m\": scale factor = inf is not allowed; it must be a finite number. Look for a division by "
+            "zero in the calculation that gave it.");
 }
 
 TEST(GroundMotion, RefusesSamplesThatAreNoMotion) {

@@ -134,8 +134,9 @@ TEST(NearFaultPulse, NamesTheParameterOutOfRange) {
   const auto refusal = [](const NearFaultPulse& pulse) {
     return message_of<InputError>([&] { (void)near_fault_pulse(pulse); });
   };
-  EXPECT_EQ(refusal({.pulse_period = -1 * s}),
-            "NearFaultPulse: pulse_period = -1 s is not allowed; it must be > 0 s and finite.");
+  EXPECT_EQ(
+      refusal({.pulse_period = -1 * s}),
+      "NearFaultPulse: pulse_period = -1 s is not allowed; it must be > 0 s and finite. Check its sign and its unit.");
   EXPECT_EQ(refusal({.amplitude = -1 * (m / s)}),
             "NearFaultPulse: amplitude = -1 m/s is not allowed; it must be > 0 m/s and finite. Use scaled_by(-1) to "
             "turn the direction of the motion.");
@@ -148,10 +149,12 @@ TEST(NearFaultPulse, NamesTheParameterOutOfRange) {
   EXPECT_EQ(refusal({.pulse_period = 1 * s, .time_step = 0.06 * s}),
             "NearFaultPulse: time_step = 0.06 s is not allowed; it must be > 0 s and <= 0.05 s. The period of the "
             "pulse needs at least 20 samples.");
-  EXPECT_EQ(refusal({.lead_in = -1 * s}),
-            "NearFaultPulse: lead_in = -1 s is not allowed; it must be from 0 s to 1000 s.");
+  EXPECT_EQ(
+      refusal({.lead_in = -1 * s}),
+      "NearFaultPulse: lead_in = -1 s is not allowed; it must be from 0 s to 1000 s. Check its sign and its unit.");
   EXPECT_EQ(refusal({.quiet_after = 1e4 * s}),
-            "NearFaultPulse: quiet_after = 10000 s is not allowed; it must be from 0 s to 1000 s.");
+            "NearFaultPulse: quiet_after = 10000 s is not allowed; it must be from 0 s to 1000 s. Check its sign and "
+            "its unit.");
   EXPECT_EQ(refusal({.time_step = 1e-6 * s}),
             "NearFaultPulse: total duration / time_step = 2e+07 is not allowed; it must be < 1e7. Give a longer "
             "time_step or a shorter lead_in and quiet_after.");

@@ -40,6 +40,10 @@ done
 for package in g++ libeigen3-dev libjs-dygraphs ${owners:?no library was found}; do
   [[ ", $depends," =~ ", $package"(","|" (") ]] || fail "the package does not depend on $package: $depends"
 done
+# It carries the notices of the code inside it, and keeps compiled scripts from others.
+for notice in "the moat authors" CLI11 "Niels Lohmann" Eigen "Nemanja Trifunovic" Boost "GNU C library" dygraphs; do
+  grep -q "$notice" root/usr/share/doc/moat/copyright || fail "the notice of $notice is missing"
+done
 # Nothing names the folder that the library was built in, or the one it was staged in.
 for text in root/usr/lib*/moat/*.txt root/usr/bin/moat; do
   ! grep -e "$build" -e "$folder" "$text" || fail "$text names another place"
@@ -48,6 +52,7 @@ done
 moat=$folder/root/usr/bin/moat
 "$moat" new tower 2>new.log
 grep -q "Run it with: moat run tower.cpp" new.log || { cat new.log && fail "moat new"; }
+[[ $(stat -c %a "$HOME/.cache/moat" "$HOME/.cache/moat/installed") == $'700\n700' ]] || fail "the cache is open to others"
 run() {
   "$moat" run tower.cpp --end "0.5 s" --out out --force >run.log 2>&1 || { cat run.log && fail "moat run tower.cpp"; }
 }

@@ -5,7 +5,11 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "base/sha256.hpp"
+#include "design/sheet_page.hpp"
+#include "hostile_strings.hpp"
 #include "in_folder.hpp"
+#include "report/html.hpp"
 #include "report/report.hpp"
 #include "report_testing.hpp"
 #include "study/study_report.hpp"
@@ -20,6 +24,8 @@ constexpr std::string_view before_page = R"js(<script>
 window.problems = [];
 window.addEventListener("error", (event) => window.problems.push(event.message));
 for (const kind of ["error", "warn"]) console[kind] = (...text) => window.problems.push(text.join(" "));
+document.addEventListener("securitypolicyviolation", (event) =>
+  window.problems.push("refused: " + event.violatedDirective));
 window.frames_drawn = 0;
 window.requestAnimationFrame = (draw) => setTimeout(() => draw(16 * ++window.frames_drawn), 1);
 </script>)js";
@@ -28,6 +34,7 @@ window.requestAnimationFrame = (draw) => setTimeout(() => draw(16 * ++window.fra
 constexpr std::string_view behind_page = R"js(<script>
 (async () => {
   const wait = (milliseconds) => new Promise((done) => setTimeout(done, milliseconds));
+  await wait(50);  // A refused script is an event of its own, behind this one.
   const verdict = { width: innerWidth, dark: matchMedia("(prefers-color-scheme: dark)").matches };
   verdict.clipped = document.documentElement.scrollWidth > innerWidth + 1;
   verdict.beyond_the_edge = [...document.body.querySelectorAll("*")].filter(
@@ -73,6 +80,7 @@ constexpr std::string_view behind_page = R"js(<script>
     document.querySelector("button.jump").click();
     verdict.jumped_to = moatReport.time();
   }
+  verdict.title = document.title;
   verdict.problems = window.problems;
   parent.postMessage(JSON.stringify(verdict), "*");
 })();
@@ -99,6 +107,9 @@ class ReportInABrowser : public testing::InFolder {
     std::string html = testing::read_file(folder / "report.html");
     html.insert(html.find("<head>") + 6, before_page);
     html.insert(html.rfind("</body>"), behind_page);
+    // The policy of the page lets its own scripts run, and this one of the test.
+    const std::string_view body = behind_page.substr(8, behind_page.size() - 17), scripts = "script-src";
+    html.insert(html.find(scripts) + scripts.size(), " 'sha256-" + sha256_in_base64(body) + "'");
     const fs::path page = folder / "around.html", output = folder / "page_after";
     std::ofstream{folder / "tested.html"} << html;
     std::ofstream{page} << page_around("tested.html", width);
@@ -183,6 +194,38 @@ TEST_F(ReportInABrowser, ShowsAStudy) {
   write_study_report({.title = "Study", .answers = {"An answer."}, .pictures = {{"Pounding", svg_text({curve})}}},
                      folder);
   open_everywhere([](const nlohmann::json&) {});
+}
+
+// All texts at once: in title, names, quantities, warnings, studies and sheets.
+TEST_F(ReportInABrowser, RunsNoScriptOfAName) {
+  std::string all;
+  for (const std::string& text : testing::hostile_strings())
+    if (text.size() < 1000) all += text + " ";
+  CaseResult result = testing_report::line_result();
+  result.title = all;
+  result.warnings.push_back(all);
+  for (Peak& peak : result.peaks) peak.where += all;
+  for (Column& column : result.histories.columns)
+    if (column.quantity != "time") column.where += all;
+  write_report_html(result, result_charts(result), folder);
+  const auto expect_text = [](const nlohmann::json& verdict) {
+    EXPECT_EQ(verdict["problems"], nlohmann::json::array());
+    EXPECT_NE(verdict["title"], "XSS");
+  };
+  expect_text(open(1280, false));
+  fs::remove(folder / "report.html");
+  write_study_report({.title = all, .answers = {all}}, folder);
+  expect_text(open(1280, false));
+  write_design_sheets({DesignSheet{.name = all, .code = all, .notes = {all}}}, folder / "report.html");
+  expect_text(open(1280, false));
+}
+
+TEST_F(ReportInABrowser, RefusesScriptsThatAreNotItsOwn) {
+  const std::string page = html::page("A page", "<script>document.title = 'XSS';</script>");
+  std::ofstream{folder / "report.html"} << page << "<img src=x onerror=\"document.title='XSS'\"></html>";
+  const nlohmann::json verdict = open(1280, false);
+  EXPECT_EQ(verdict["title"], "A page");
+  EXPECT_GE(verdict["problems"].size(), 1U) << verdict;
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -46,6 +48,35 @@ TEST(HistoryCharts, ShowBaseAndTopAndAllImpacts) {
   ASSERT_EQ(charts[2].series.size(), 2u);
   EXPECT_EQ(charts[2].series[0].name, "moat left");
   EXPECT_EQ(charts[2].series[1].y, (std::vector<double>{0.0, 7000.0, 0.0}));
+}
+
+TEST(HistoryCharts, OfLongHistoriesKeepEveryPeakAndFewRows) {
+  constexpr std::size_t rows = 300'000;
+  Column time{"time", "", "s", {}}, motion{"displacement", "body", "m", {}},
+      energy{"strain_energy", "structure", "J", {}}, input{"input_energy", "structure", "J", {}};
+  for (std::size_t i = 0; i < rows; ++i) {
+    time.values.push_back(0.005 * static_cast<double>(i));
+    motion.values.push_back(std::sin(0.01 * static_cast<double>(i)));
+    energy.values.push_back(motion.values.back() * motion.values.back());
+    input.values.push_back(energy.values.back());
+  }
+  motion.values[123'456] = 5.0;
+  motion.values[123'457] = -7.0;
+  const CaseResult result = result_with({time, motion, energy, input});
+  const Series& curve = history_charts(result).at(0).series.at(0);
+  EXPECT_LT(curve.x.size(), most_rows_of_charts);
+  EXPECT_TRUE(std::ranges::is_sorted(curve.x));
+  EXPECT_EQ(curve.x.front(), 0.0);
+  EXPECT_EQ(curve.x.back(), time.values.back());
+  EXPECT_EQ(std::ranges::max(curve.y), 500.0) << "cm";
+  EXPECT_EQ(std::ranges::min(curve.y), -700.0);
+  EXPECT_EQ(curve.x[static_cast<std::size_t>(std::ranges::max_element(curve.y) - curve.y.begin())],
+            time.values[123'456]);
+  EXPECT_EQ(history_charts(result, 3).at(0).series.at(0).x.size(), rows / 3);
+  const Chart energies = energy_chart(result).value();
+  EXPECT_LT(energies.series.back().x.size(), most_rows_of_charts);
+  EXPECT_EQ(energies.series.front().name, "strain");
+  EXPECT_EQ(energies.series.front().x.size(), 2 * energies.series.back().x.size()) << "forth and back";
 }
 
 TEST(HistoryCharts, LeaveOutGapsThatStayedOpen) {

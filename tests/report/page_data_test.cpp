@@ -4,15 +4,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "report/charts/result_charts.hpp"
 #include "report_testing.hpp"
 
 namespace moat {
 namespace {
 
-nlohmann::json data_of(const CaseResult& result) {
-  return nlohmann::json::parse(html::page_data(result, history_charts(result)));
-}
+nlohmann::json data_of(const CaseResult& result) { return nlohmann::json::parse(html::page_data(result)); }
 
 void expect_near(const nlohmann::json& written, const std::vector<double>& values, double factor = 1.0) {
   ASSERT_EQ(written.size(), values.size());
@@ -60,7 +57,7 @@ TEST(PageData, ThinsVeryLongHistories) {
   EXPECT_DOUBLE_EQ(data["charts"][0]["series"][0]["values"][1].get<double>(), 300.0) << "cm";
 }
 
-TEST(PageData, IsNothingWithoutHistories) { EXPECT_EQ(html::page_data({}, {}), ""); }
+TEST(PageData, IsNothingWithoutHistories) { EXPECT_EQ(html::page_data({}), ""); }
 
 }  // namespace
 }  // namespace moat

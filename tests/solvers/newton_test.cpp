@@ -212,7 +212,7 @@ TEST(NewtonSolver, RefusesOptionsOutOfRange) {
   EXPECT_EQ(message_of([&] { NewtonSolver(system, {.tolerance = 0.0}); }),
             "NewtonOptions: tolerance = 0 is not allowed; it must be > 0 and < 1. 1e-10 is the default.");
   EXPECT_EQ(message_of([&] { NewtonSolver(system, {.max_iterations = 0}); }),
-            "NewtonOptions: max_iterations = 0 is not allowed; it must be >= 1.");
+            "NewtonOptions: max_iterations = 0 is not allowed; it must be >= 1. Give a number in this range.");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "block_on_bearings.hpp"
 #include "elements/line/softening_rubber.hpp"
 #include "moat.hpp"
 
@@ -14,43 +15,12 @@ namespace {
 
 using namespace units;
 
-constexpr double gravity = 9.80665;  // m/s^2
 constexpr int count = 4;
-
-// A rigid block on bearings at three places.
-template <class Law>
-Model block(const Law& law, double height, bool together) {
-  constexpr double mass = 1.2e6;  // kg
-  Model model;
-  const NodeId node = add(model, Node{.name = "block", .mass = mass * kg});
-  for (const double at : {-4.0, 0.0, 4.0})
-    for (int i = 0; i < (together ? 1 : count); ++i)
-      add(model, Isolator<Law>{.name = "at " + std::to_string(at) + " " + std::to_string(i),
-                               .upper = node,
-                               .law = law,
-                               .count = together ? count : 1,
-                               .weight = mass * gravity / (together ? 3.0 : 3.0 * count) * N,
-                               .at = at * m,
-                               .weight_changes = true});
-  add(model,
-      Building{.name = "block",
-               .base = node,
-               .axial_forces = AxialForces{.base_height = height * m, .rocking = AxialForces::Rocking::continues}});
-  return model;
-}
-
-GroundMotion shaking(double size) {
-  std::vector<double> along, up;
-  for (int i = 0; i <= 300; ++i) {
-    along.push_back(size * (std::sin(0.02 * i * 2.4) + 0.4 * std::sin(0.02 * i * 9.0)));
-    up.push_back(4.0 * std::sin(i * 0.9));
-  }
-  return with_vertical({"push", 0.02, along}, {"up", 0.02, up});
-}
 
 struct Course {
   std::vector<std::vector<double>> rows;  // time, motion, and of every place N, N', force and its rate
   long events = 0, uplifts = 0;
+  double uplift_time = 0.0, in_steps = 0.0;  // s, of the first bearing, and in the steps that end with its uplift
 };
 
 Course course(const Model& model, const GroundMotion& motion, std::size_t per_place) {
@@ -72,24 +42,28 @@ Course course(const Model& model, const GroundMotion& motion, std::size_t per_pl
       }
       row.insert(row.end(), std::begin(sums), std::end(sums));
     }
+    if (bearings[0].deficit > 0.0)
+      course.in_steps += state.time() - (course.rows.empty() ? 0.0 : course.rows.back()[0]);
     course.rows.push_back(row);
   }
   course.events = analysis.statistics().events;
   course.uplifts = analysis.state().weights()[0].bearings()[0].uplifts;
+  course.uplift_time = analysis.state().weights()[0].bearings()[0].uplift_time;
   return course;
 }
 
 // All columns agree to this share of their largest value, and so do the energies.
 template <class Law>
 void expect_sum_of_single_bearings(const Law& law, double height, double size) {
-  const Model together = block(law, height, true), apart = block(law, height, false);
-  const GroundMotion motion = shaking(size);
+  const Model together = block_on(law, height, count, true), apart = block_on(law, height, count);
+  const GroundMotion motion = shaking_along_and_up(size, 4.0);
   const Course one = course(together, motion, 1), four = course(apart, motion, count);
   ASSERT_EQ(one.rows.size(), four.rows.size());
   EXPECT_GT(one.events, 20);
   EXPECT_EQ(count * one.events, four.events);
   EXPECT_GT(one.uplifts, 0);
   EXPECT_EQ(one.uplifts, four.uplifts);
+  EXPECT_NEAR(one.uplift_time, one.in_steps, 1e-9);
   constexpr double close = 1e-9;
   for (std::size_t column = 0; column < one.rows.front().size(); ++column) {
     double largest = 0.0, difference = 0.0;

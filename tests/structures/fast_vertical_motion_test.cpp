@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "block_on_bearings.hpp"
 #include "moat.hpp"
 #include "output/recorders/energy_ledger.hpp"
 
@@ -12,36 +13,6 @@ namespace moat::testing {
 namespace {
 
 using namespace units;
-
-// A rigid block of 1200 t on bearings at three places.
-template <class Law>
-Model block_on(const Law& law, double height) {
-  constexpr double mass = 1.2e6, gravity = 9.80665;  // kg, m/s^2
-  Model model;
-  const NodeId node = add(model, Node{.name = "block", .mass = mass * kg});
-  for (const double at : {-4.0, 0.0, 4.0})
-    add(model, Isolator<Law>{.name = "at " + std::to_string(at),
-                             .upper = node,
-                             .law = law,
-                             .weight = mass * gravity / 3.0 * N,
-                             .at = at * m,
-                             .weight_changes = true});
-  add(model,
-      Building{.name = "block",
-               .base = node,
-               .axial_forces = AxialForces{.base_height = height * m, .rocking = AxialForces::Rocking::continues}});
-  return model;
-}
-
-// `up_amplitude`: amplitude of the vertical acceleration, m/s^2. Above g the building flies for parts of each cycle.
-GroundMotion shaking(double up_amplitude) {
-  std::vector<double> along, up;
-  for (int i = 0; i <= 300; ++i) {
-    along.push_back(std::sin(0.02 * i * 2.4) + 0.4 * std::sin(0.02 * i * 9.0));
-    up.push_back(up_amplitude * std::sin(i * 0.9));
-  }
-  return with_vertical({"push", 0.02, along}, {"up", 0.02, up});
-}
 
 struct Run {
   double displacement = 0.0;  // m, at the end
@@ -51,7 +22,7 @@ struct Run {
 
 Run run(const Model& model, double step, double up_amplitude = 4.0) {
   constexpr long most_steps = 100000;
-  Transient analysis{model, shaking(up_amplitude), {.step = step * s, .force_tolerance = 1e-10}};
+  Transient analysis{model, shaking_along_and_up(1.0, up_amplitude), {.step = step * s, .force_tolerance = 1e-10}};
   EnergyLedger ledger;
   analysis.attach(ledger);
   while (!analysis.finished() && analysis.statistics().accepted_steps < most_steps) analysis.advance();

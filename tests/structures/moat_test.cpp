@@ -124,7 +124,8 @@ TEST(Moat, RefusesBadInput) {
             "Gap \"moat left\": left and right are the same node, \"ground\". An element joins two different nodes.");
   EXPECT_TRUE(model.blocks().empty());
   EXPECT_EQ(refusal([](auto& moat) { moat.wall = FlexibleWall{.mass = 20 * tonne, .stiffness = -2 * GN / m}; }),
-            "FlexibleWall \"moat left wall\": stiffness = -2e+09 N/m is not allowed; it must be > 0 N/m and finite.");
+            "FlexibleWall \"moat left wall\": stiffness = -2e+09 N/m is not allowed; it must be > 0 N/m and finite. "
+            "Check its sign and its unit.");
 }
 
 TEST(FlexibleWall, HasTheStiffnessAndMassOfItsGeometry) {

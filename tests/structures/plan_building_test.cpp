@@ -181,9 +181,10 @@ TEST(PlanBuilding, FindsFloorsByTheirNumbers) {
   for (const int number : {1, 2, 3})
     EXPECT_EQ(model.diaphragm(parts.floor(number)).name, "tower floor " + std::to_string(number));
   for (const int number : {0, 4})
-    EXPECT_EQ(
-        testing::message_of([&] { return parts.floor(number); }),
-        "PlanBuilding \"tower\": floor = " + std::to_string(number) + " is not allowed; it must be >= 1 and <= 3.");
+    EXPECT_EQ(testing::message_of([&] { return parts.floor(number); }),
+              "PlanBuilding \"tower\": floor = " + std::to_string(number) +
+                  " is not allowed; it must be >= 1 and <= 3. Give a number in "
+                  "this range.");
   EXPECT_THROW(parts.floors[3], InputError);
   EXPECT_THROW(building.outline.of(1).corners[4], InputError);
 }
@@ -278,7 +279,8 @@ TEST(PlanBuilding, BadInputIsRefused) {
   EXPECT_EQ(message([](PlanBuilding& b) {
               b.rotary_inertia = {1 * tonne * m * m, -1 * kg * m * m};
             }),
-            "PlanBuilding: rotary_inertia of floor 2 = -1 kg m^2 is not allowed; it must be >= 0 kg m^2 and finite.");
+            "PlanBuilding: rotary_inertia of floor 2 = -1 kg m^2 is not allowed; it must be >= 0 kg m^2 and finite. "
+            "Check its sign and its unit.");
   EXPECT_NE(message([](PlanBuilding& b) {
               b.outline = {rectangle(2 * m, 1 * m), PlanOutline{}};
             }).find("outline of floor 2"),

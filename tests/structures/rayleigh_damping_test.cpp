@@ -31,9 +31,11 @@ TEST(RayleighFactors, RefuseBadInput) {
   EXPECT_NE(message_of([] { rayleigh_factors(std::numeric_limits<double>::quiet_NaN(), 1.0, 2.0); }),
             "nothing was thrown");
   EXPECT_EQ(message_of([] { rayleigh_factors(0.05, 0.0, 2.0); }),
-            "RayleighDamping: first angular frequency = 0 1/s is not allowed; it must be > 0 1/s and finite.");
+            "RayleighDamping: first angular frequency = 0 1/s is not allowed; it must be > 0 1/s and finite. Check its "
+            "sign and its unit.");
   EXPECT_EQ(message_of([] { rayleigh_factors(0.05, 1.0, -2.0); }),
-            "RayleighDamping: second angular frequency = -2 1/s is not allowed; it must be > 0 1/s and finite.");
+            "RayleighDamping: second angular frequency = -2 1/s is not allowed; it must be > 0 1/s and finite. Check "
+            "its sign and its unit.");
   EXPECT_EQ(message_of([] { rayleigh_factors_of_chain(0.05, {}, {}); }),
             "RayleighDamping: a chain needs at least one storey and one stiffness per mass.");
   EXPECT_EQ(message_of([] {
@@ -67,13 +69,17 @@ TEST(RayleighDamping, RefusesBadInput) {
   const auto refusal = [](const RayleighDamping& damping) { return message_of([&] { given_factors(damping); }); };
   EXPECT_EQ(refusal({.ratio = 0.05, .periods = {0.5 * s, 0.5 * s}}),
             "RayleighDamping: both periods are 0.5 s. Give two different ones, usually those of the first two modes.");
-  EXPECT_EQ(refusal({.ratio = 0.05, .periods = {0.5 * s}}),
-            "RayleighDamping: periods[1] = 0 s is not allowed; it must be > 0 s and finite.");
+  EXPECT_EQ(
+      refusal({.ratio = 0.05, .periods = {0.5 * s}}),
+      "RayleighDamping: periods[1] = 0 s is not allowed; it must be > 0 s and finite. Check its sign and its unit.");
   EXPECT_EQ(refusal({.ratios = {0.05, 5.0}, .periods = {0.5 * s, 0.1 * s}}),
             "RayleighDamping: ratios[1] = 5 is not allowed; it must be >= 0 and < 1. 5 % of critical is 0.05.");
-  EXPECT_EQ(refusal({.a0 = -0.3 / s}),
-            "RayleighDamping: a0 = -0.3 1/s is not allowed; it must be >= 0 1/s and finite.");
-  EXPECT_EQ(refusal({.a1 = -1 * ms}), "RayleighDamping: a1 = -0.001 s is not allowed; it must be >= 0 s and finite.");
+  EXPECT_EQ(
+      refusal({.a0 = -0.3 / s}),
+      "RayleighDamping: a0 = -0.3 1/s is not allowed; it must be >= 0 1/s and finite. Check its sign and its unit.");
+  EXPECT_EQ(
+      refusal({.a1 = -1 * ms}),
+      "RayleighDamping: a1 = -0.001 s is not allowed; it must be >= 0 s and finite. Check its sign and its unit.");
   EXPECT_EQ(refusal({.ratio = 0.05, .a1 = 1 * ms}),
             "RayleighDamping: a0 or a1 is given together with ratios or periods. Give a0 and a1 alone.");
   EXPECT_EQ(

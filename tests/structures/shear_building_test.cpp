@@ -174,15 +174,19 @@ std::string refusal(Change change) {
 
 TEST(ShearBuilding, RefusesBadParameters) {
   EXPECT_EQ(refusal([](ShearBuilding& b) { b.storeys = 0; }),
-            "ShearBuilding \"house\": storeys = 0 is not allowed; it must be >= 1.");
+            "ShearBuilding \"house\": storeys = 0 is not allowed; it must be >= 1. Give a number in this range.");
   EXPECT_EQ(refusal([](ShearBuilding& b) { b.floor_mass = -1 * kg; }),
-            "ShearBuilding \"house\": floor_mass = -1 kg is not allowed; it must be > 0 kg and finite.");
+            "ShearBuilding \"house\": floor_mass = -1 kg is not allowed; it must be > 0 kg and finite. Check its sign "
+            "and its unit.");
   EXPECT_EQ(refusal([](ShearBuilding& b) { b.storey_stiffness = 0 * N / m; }),
-            "ShearBuilding \"house\": storey_stiffness = 0 N/m is not allowed; it must be > 0 N/m and finite.");
+            "ShearBuilding \"house\": storey_stiffness = 0 N/m is not allowed; it must be > 0 N/m and finite. Check "
+            "its sign and its unit.");
   EXPECT_EQ(refusal([](ShearBuilding& b) { b.storey_height = 0 * m; }),
-            "ShearBuilding \"house\": storey_height = 0 m is not allowed; it must be > 0 m and finite.");
+            "ShearBuilding \"house\": storey_height = 0 m is not allowed; it must be > 0 m and finite. Check its sign "
+            "and its unit.");
   EXPECT_EQ(refusal([](ShearBuilding& b) { b.half_width = 0 * m; }),
-            "ShearBuilding \"house\": half_width = 0 m is not allowed; it must be > 0 m and finite.");
+            "ShearBuilding \"house\": half_width = 0 m is not allowed; it must be > 0 m and finite. Check its sign and "
+            "its unit.");
   EXPECT_EQ(refusal([](ShearBuilding& b) { b.base_mass = {}; }),
             "ShearBuilding \"house\": base_mass = 0 kg is not allowed; it must be > 0 kg and finite. "
             "An isolated building needs the mass of its base floor.");
@@ -247,7 +251,8 @@ TEST(ShearBuilding, NamesIsolatorsAsTheyAreNamed) {
   add(model, building);
   EXPECT_TRUE(has_element(model, "tower pads"));
   EXPECT_EQ(refusal([](ShearBuilding& b) { b.isolation = HardeningPad{.stiffness = -1 * N / m}; }),
-            "Isolator \"house bearings\": stiffness = -1 N/m is not allowed; it must be > 0 N/m and finite.");
+            "Isolator \"house bearings\": stiffness = -1 N/m is not allowed; it must be > 0 N/m and finite. Check its "
+            "sign and its unit.");
 }
 
 TEST(ShearBuilding, TakesAValueForEveryStorey) {
@@ -275,7 +280,7 @@ TEST(ShearBuilding, RefusesListsThatDoNotFit) {
               b.storey_stiffness = {1 * MN / m, -2 * MN / m};
             }),
             "ShearBuilding \"house\": storey_stiffness of storey 2 = -2e+06 N/m is not allowed; it must be > 0 N/m and "
-            "finite.");
+            "finite. Check its sign and its unit.");
 }
 
 TEST(ShearBuilding, GivesItsWeightToPendulums) {

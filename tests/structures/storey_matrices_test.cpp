@@ -81,7 +81,7 @@ TEST_F(StoreyMatricesOf, StoreysWithoutAStiffnessAreRefused) {
   storeys.floors[1].stiffness_y = {};
   EXPECT_EQ(message_of([&] { (void)storey_matrices(storeys); }),
             "storey_matrices \"" + path("storeys.csv").string() +
-                "\": floor 2 ky = 0 N/m is not allowed; it must be > 0 N/m and finite.");
+                "\": floor 2 ky = 0 N/m is not allowed; it must be > 0 N/m and finite. Check its sign and its unit.");
   storeys = table();
   storeys.floors[0].rotational_stiffness = {};
   EXPECT_THROW((void)storey_matrices(storeys), InputError);

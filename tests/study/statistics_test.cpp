@@ -165,6 +165,18 @@ TEST(StatisticsOverRecords, TheEnvelopeHasTheLargestDesignValue) {
             std::string::npos);
 }
 
+// A clearance left may change its sign: it has no lognormal statistics.
+TEST(StatisticsOverRecords, OfClearancesAreNotLognormal) {
+  const StudyResult study = study_of({records(7)}, [](const StudyCase& each) {
+    return StudyRecord{{"clearance_left", "moat", "m", -0.01 * (1.0 + each.value("record"))}};
+  });
+  const std::vector<RecordStatistics> list = statistics_over(study);
+  const Statistics& of = row(list, "clearance_left", "").statistics;
+  EXPECT_NEAR(of.mean, -0.04, 1e-15);
+  EXPECT_NEAR(of.largest, -0.07, 1e-15) << "the least clearance";
+  for (const double value : {of.lognormal_median, of.lognormal_84, of.dispersion}) EXPECT_TRUE(std::isnan(value));
+}
+
 TEST(StatisticsOverRecords, KeepGroupsWithoutAnyResult) {
   const StudyAxis bounds = StudyAxis::of_names("bounds", {"lower", "nominal", "upper"});
   const StudyResult study = study_of({records(2), bounds}, [](const StudyCase& each) {

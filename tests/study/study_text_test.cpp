@@ -42,5 +42,20 @@ TEST(StudyText, CountsEveryState) {
     EXPECT_NE(text.find(line), std::string::npos) << line << "\n" << text;
 }
 
+TEST(StudyText, ListsTheResponsesOfAFewCases) {
+  const auto lines = [](std::size_t cases) {
+    std::vector<CaseOutcome> outcomes(cases, CaseOutcome{.state = CaseState::failed, .reason = "wrong"});
+    outcomes[0] = {.state = CaseState::done,
+                   .results = {{"impacts", "", "1", 12.0},
+                               {"displacement", "floor 1", "m", 0.25},
+                               {"displacement", "base", "m", 0.5},
+                               {"displacement_error", "base", "m", 0.1}}};
+    return case_lines(StudyResult{
+        {{.name = "gap", .unit = "cm", .values = linearly_spaced(10.0, 20.0, static_cast<int>(cases))}}, outcomes});
+  };
+  EXPECT_EQ(lines(2), "  gap [cm]  impacts  displacement [cm]\n  10        12       50.00\n  20        -        -\n");
+  EXPECT_EQ(lines(25), "");
+}
+
 }  // namespace
 }  // namespace moat

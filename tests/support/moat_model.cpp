@@ -77,8 +77,9 @@ void add_frames(Model& model, const PlainModel& plain) {
     }
     LinearStructure frame{.name = name, .nodes = {}, .stiffness = stiffness};
     for (const int floor : floors) frame.nodes.push_back(NodeId{floor});
-    if (const int bottom = springs.front().lower; bottom != plain_ground) {
-      frame.base = {NodeId{bottom}};
+    const auto lowest = std::ranges::find_if(springs, [&](const PlainSpring& each) { return row(each.lower) == size; });
+    if (lowest->lower != plain_ground) {
+      frame.base = {NodeId{lowest->lower}};
       frame.carried = Eigen::MatrixXd::Ones(size, 1);
     }
     add(model, frame);

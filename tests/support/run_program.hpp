@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -23,7 +24,8 @@ inline std::string text_of(const std::filesystem::path& path) { return read_file
 
 struct ProgramResult {
   int exit_code = -1;
-  std::string output, errors;  ///< standard output and standard error
+  std::string output, errors;   ///< standard output and standard error
+  double largest_memory = 0.0;  ///< bytes
 };
 
 /// A program that runs in `folder` with no terminal.
@@ -55,8 +57,10 @@ class RunningProgram {
   ProgramResult wait() const {
     if (!started_) return {};
     int status = 0;
-    waitpid(child_, &status, 0);
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(output_), text_of(errors_)};
+    rusage usage{};
+    wait4(child_, &status, 0, &usage);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(output_), text_of(errors_),
+            1024.0 * static_cast<double>(usage.ru_maxrss)};
   }
 
  private:

@@ -26,6 +26,10 @@ class FramesOfScript final : public StepObserver {
   void step(const StepView& view) override {
     attempt([&] { frames_->step(view); });
   }
+  void archive(StateArchive& archive) override {
+    archive(failure_);
+    attempt([&] { frames_.value().archive(archive); });
+  }
   /// Why frames are missing; empty where none are.
   [[nodiscard]] const std::string& failure() const { return failure_; }
 

@@ -14,7 +14,10 @@
 #include "app/law_assumptions.hpp"
 #include "app/progress_bar.hpp"
 #include "app/results.hpp"
+#include "app/script/checkpoint_file.hpp"
 #include "app/script/frames_of_script.hpp"
+#include "app/script/kept_run.hpp"
+#include "app/script/run_options.hpp"
 #include "app/script/script_parts.hpp"
 #include "app/script/stop_signals.hpp"
 #include "base/check.hpp"
@@ -100,20 +103,6 @@ void Script::design_sheet(const DesignSheet& sheet) { parts_->sheets.push_back(s
 
 void Script::attach(StepObserver& observer) { parts_->observers.push_back(&observer); }
 
-// The options of run().
-struct Script::RunOptions {
-  std::filesystem::path folder;
-  bool force = false, quiet = false, check = false, sensitivity = false, no_sensitivity = false;
-
-  [[nodiscard]] ContactSensitivityMode contact_sensitivity() const {
-    return sensitivity      ? ContactSensitivityMode::always
-           : no_sensitivity ? ContactSensitivityMode::never
-                            : ContactSensitivityMode::automatic;
-  }
-  TransientOptions transient{};
-  Time frame_interval{};
-};
-
 // Result and end of a run.
 struct Script::Outcome {
   CaseResult result{};
@@ -142,18 +131,28 @@ int Script::run(const Model& model, const GroundMotion& motion, const TransientO
   if (const auto exit_code = read_options(motion, options)) return *exit_code;
   if (!parts_->speaks()) return 0;  // a single run needs one rank
   const StopSignals signals;
-  CaseRun run{model,
-              motion,
-              {.title = parts_->line.title(),
-               .transient = options.transient,
-               .error_bars = options.check ? ErrorBarMode::always : ErrorBarMode::automatic,
-               .contact_sensitivity = options.contact_sensitivity()}};
-  for (StepObserver* observer : parts_->observers) run.attach(*observer);
-  ResultsFolder folder{options.folder, options.force ? WhenFolderExists::overwrite : WhenFolderExists::use_new_number,
+  std::optional<CaseRun> run;
+  run.emplace(model, motion,
+              CaseOptions{.title = parts_->line.title(),
+                          .transient = options.transient,
+                          .error_bars = options.check ? ErrorBarMode::always : ErrorBarMode::automatic,
+                          .contact_sensitivity = options.contact_sensitivity()});
+  for (StepObserver* observer : parts_->observers) run->attach(*observer);
+  const auto identity = [&] { return identity_of_script(parts_->line, parts_->origin); };
+  if (options.resume)
+    run->go_on_from(read_checkpoint(folder_with_checkpoint(options.folder) / results_file::checkpoint, identity()));
+  ResultsFolder folder{options.folder,
+                       options.resume  ? WhenFolderExists::go_on
+                       : options.force ? WhenFolderExists::overwrite
+                                       : WhenFolderExists::use_new_number,
                        parts_->origin.command_line};
+  KeptRun kept{*run, folder.path(), options.checkpoint.si(), identity};
   std::optional<FramesOfScript> frames;
-  if (options.frame_interval.si() != 0.0) run.attach(frames.emplace(model, folder.path(), options.frame_interval.si()));
-  Outcome outcome = compute(run, options);
+  if (options.frame_interval.si() != 0.0)
+    run->attach(frames.emplace(model, folder.path(), options.frame_interval.si()));
+  Outcome outcome = compute(*run, kept, options);
+  run.reset();  // This frees its memory for the files.
+  kept.end();
   // Small results are written before a bar could be seen.
   constexpr double many_numbers = 2e6;
   const Table& histories = outcome.result.histories;
@@ -175,55 +174,23 @@ int Script::run(const Model& model, const GroundMotion& motion, const TransientO
     outcome.failure += " " + keep_results(outcome.result, folder.path());
   }
   const std::filesystem::path wanted = folder.final_path();
-  if (!outcome.failure.empty()) folder.finish_incomplete();
-  folder.finish();
+  try {
+    if (!outcome.failure.empty()) folder.finish_incomplete();
+    folder.finish();
+  } catch (const FileError& error) {
+    outcome.fail(error.what(), exit_error, error.what());
+  }
   if (parts_->json && std::filesystem::exists(folder.final_path() / results_file::summary))
     parts_->json->write(summary_with_folder(folder.final_path()));
   const int exit_code = print(outcome, options, folder.final_path());
   if (folder.final_path() != wanted)
     print_text(std::cerr, "moat: The old results in " + wanted.string() + " stay; those of this run are in " +
                               folder.final_path().string() + ".\n");
+  print_text(std::cerr, kept.message(parts_->line.arguments(), folder.final_path()));
   return exit_code;
 }
 
-std::optional<int> Script::read_options(const GroundMotion& motion, RunOptions& options) {
-  CommandLine& line = parts_->line;
-  const std::filesystem::path default_folder = std::filesystem::path{"results"} / line.program();
-  options.folder = text("out", default_folder.string(), "results folder; an existing one gets a new number");
-  line.add_flag("force", options.force, "replace the results in an existing folder");
-  options.transient.step = time("step", options.transient.step, "fixed time step; 0 s adapts it");
-  options.transient.tolerance = number("tolerance", options.transient.tolerance, "error per step of an adapted step");
-  const std::string integrator =
-      text("integrator", std::string{name_of(options.transient.integrator)},
-           integrator_names() + "; exact steps are for small models, automatic takes them where it can");
-  const Time end = options.transient.end.si() > 0.0 ? options.transient.end : motion.duration() * units::s;
-  options.transient.end = time("end", end, "end of the analysis");
-  // At most some 400 frames of a motion of any length.
-  options.frame_interval = time("frame-interval", std::max(50 * units::ms, options.transient.end / 400.0),
-                                "between VTK frames; 0 s writes none");
-  line.add_flag("check", options.check, "error bars, by a second run, for runs of any size");
-  line.add_flag("sensitivity", options.sensitivity, "how peaks move with contact parameters, for runs of any size");
-  line.add_flag("no-sensitivity", options.no_sensitivity, "without the runs with other contact parameters");
-  line.add_flag("quiet", options.quiet, "print warnings and errors only");
-  line.add_json_flag();
-  parts_->checked = true;
-  if (line.help_wanted()) {
-    print_text(std::cout, line.help());
-    return 0;
-  }
-  if (!line.parse()) return exit_usage;
-  // Before the results folder is made.
-  if (integrator != name_of(options.transient.integrator))
-    options.transient.integrator = integrator_named(integrator, "--integrator");
-  const Check check{"Script", ""};
-  check.not_negative("--frame-interval", options.frame_interval);
-  check.that(!options.sensitivity || !options.no_sensitivity, "both --sensitivity and --no-sensitivity are given.",
-             "Give one of them.");
-  parts_->origin.options = line.values();
-  return std::nullopt;
-}
-
-Script::Outcome Script::compute(CaseRun& run, const RunOptions& options) {
+Script::Outcome Script::compute(CaseRun& run, KeptRun& kept, const RunOptions& options) {
   std::optional<ProgressObserver> progress, progress_of_check, progress_of_contacts;
   if (!options.quiet) {
     for (const std::string& note : record_folder_notes()) print_text(std::cout, note + "\n");
@@ -235,7 +202,7 @@ Script::Outcome Script::compute(CaseRun& run, const RunOptions& options) {
       run.attach_to_changed_contacts(progress_of_contacts.emplace(run.transient().end_time(), "sensitivity"));
   }
   Outcome outcome;
-  run.stop_when([] { return StopSignals::received() != 0; });
+  run.stop_when([&] { return kept.stops(); });
   try {
     run.run();
     if (run.stopped()) {

@@ -22,6 +22,7 @@
 namespace moat {
 
 class CaseRun;
+class KeptRun;
 class ResultsFolder;
 class ScriptStudy;
 struct DesignSheet;
@@ -52,8 +53,8 @@ inline const bool exceptions_are_reported = report_exceptions_that_leave_main();
 /// Errors: an exception that leaves main() is printed as one message to standard error and ends the program with exit
 /// code 1; in a program of your own, once a Script exists. Exit codes: 0 done; 1 bad input or another error; 2 wrong
 /// usage of the command line; 3 a step did not converge (the results up to that step are in the results folder). Codes
-/// 130, 143 and 129: stopped by SIGINT (Ctrl-C), SIGTERM and SIGHUP (the results up to then are there; with --force
-/// beside old ones, in a folder with a new number).
+/// 130, 143, 138 and 129: stopped by SIGINT (Ctrl-C), SIGTERM, SIGUSR1 and SIGHUP (the results up to then are there;
+/// with --force beside old ones, in a folder with a new number).
 class Script {
  public:
   Script(int argc, char** argv, std::string title);  ///< The arguments of main(), and a title for reports.
@@ -72,9 +73,11 @@ class Script {
   Stiffness stiffness(const std::string& name, Stiffness preset, const std::string& help);  ///< --name "1 GN/m"
   /// --name "2e9 N/m^1.5"
   HertzStiffness hertz_stiffness(const std::string& name, HertzStiffness preset, const std::string& help);
-  double number(const std::string& name, double preset, const std::string& help);                 ///< --name 0.65
-  int integer(const std::string& name, int preset, const std::string& help);                      ///< --name 5
-  std::string text(const std::string& name, const std::string& preset, const std::string& help);  ///< --name word
+  double number(const std::string& name, double preset, const std::string& help);  ///< --name 0.65
+  int integer(const std::string& name, int preset, const std::string& help);       ///< --name 5
+  /// --name word; where there are choices, one of them.
+  std::string text(const std::string& name, const std::string& preset, const std::string& help,
+                   const std::vector<std::string>& choices = {});
 
   /// Adds --record FILE (read_channels() lists the formats; plain text needs --record-unit g, and may need
   /// --record-step and --record-columns) and --record-up FILE, the vertical component, and returns that motion, else
@@ -92,10 +95,11 @@ class Script {
   void attach(StepObserver& observer);
 
   /// Computes the model under the motion, shows progress and peaks, writes the results folder, and returns the exit
-  /// code. Adds --out, --force, --step, --tolerance, --integrator, --end, --frame-interval, --check,
-  /// --sensitivity, --no-sensitivity, --quiet, --json.
-  /// With --json standard output holds summary.json alone, with the member "results_folder" in front, and all else goes
-  /// to standard error. The observers are attached before. Throws InputError for one that is null.
+  /// code. Adds --out, --force, --step, --tolerance, --integrator, --end, --frame-interval, --checkpoint, --resume,
+  /// --check, --sensitivity, --no-sensitivity, --quiet, --json. With --resume a run that was killed or stopped goes on
+  /// from its checkpoint, and its results are those of one that nothing stopped; an observer needs its archive() for
+  /// it. With --json standard output holds summary.json alone, with the member "results_folder" in front, and all else
+  /// goes to standard error. The observers are attached before. Throws InputError for one that is null.
   int run(const Model& model, const GroundMotion& motion, std::initializer_list<StepObserver*> observers = {});
   /// Runs with options of the analysis that the command line lacks; those that it has are its defaults:
   ///
@@ -166,7 +170,7 @@ class Script {
   struct Outcome;
   // The exit code, if there is nothing to compute.
   std::optional<int> read_options(const GroundMotion& motion, RunOptions& options);
-  Outcome compute(CaseRun& run, const RunOptions& options);
+  Outcome compute(CaseRun& run, KeptRun& kept, const RunOptions& options);
   static int print(const Outcome& outcome, const RunOptions& options, const std::filesystem::path& folder);
   ScriptStudy& study_parts();
   ScriptStudy& studies_done();

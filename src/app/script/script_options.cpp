@@ -1,4 +1,5 @@
 // The options of a script: quantities, numbers, texts and motions.
+#include <algorithm>
 #include <charconv>
 
 #include "app/command_line.hpp"
@@ -52,11 +53,18 @@ int Script::integer(const std::string& name, int preset, const std::string& help
   int value = 0;
   const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), value);
   if (error != std::errc{} || end != text->data() + text->size())
-    throw InputError{"--" + name + ": \"" + *text + "\" is not a whole number."};
+    throw InputError{"--" + name + ": \"" + *text + "\" is not a whole number. Write digits alone, 5 for example."};
   return value;
 }
-std::string Script::text(const std::string& name, const std::string& preset, const std::string& help) {
-  return parts_->line.look_up(name, preset, help, "TEXT").value_or(preset);
+std::string Script::text(const std::string& name, const std::string& preset, const std::string& help,
+                         const std::vector<std::string>& choices) {
+  std::string words;
+  for (const std::string& choice : choices) words += (words.empty() ? "" : ", ") + choice;
+  const std::string given =
+      parts_->line.look_up(name, preset, help + (words.empty() ? "" : ": " + words), "TEXT").value_or(preset);
+  if (!choices.empty() && std::ranges::find(choices, given) == choices.end())
+    throw InputError{"--" + name + ": \"" + given + "\" is not one of " + words + "."};
+  return given;
 }
 
 namespace {

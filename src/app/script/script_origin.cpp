@@ -63,6 +63,18 @@ std::string command_to_go_on(const std::vector<std::string>& arguments, int rank
   return command;
 }
 
+std::string command_to_resume(const std::vector<std::string>& arguments, const fs::path& folder) {
+  std::vector<std::string> others;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const std::string& each = arguments[i];
+    if (each == "--out") ++i;
+    if (each != "--out" && !each.starts_with("--out=") && each != "--force" && each != "--resume")
+      others.push_back(each);
+  }
+  others.insert(others.end(), {"--out", folder.string(), "--resume"});
+  return command_to_go_on(others, 0);
+}
+
 StudyIdentity identity_of_script(const CommandLine& line, const Provenance& origin) {
   StudyIdentity identity{{"script", origin.script_sha256},
                          {"program", sha256_of_file("/proc/self/exe").value_or("")},

@@ -1,6 +1,7 @@
 // Where the results of a script come from, and the inputs on which the numbers of its studies depend.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,9 @@ Provenance origin_of_script(const std::vector<std::string>& arguments);
 /// The launcher gives its own path in MOAT_LAUNCHER; without it the program itself is named. ranks: 0 for a process by
 /// itself. --retry and --accept-changes are left out: they have been done.
 std::string command_to_go_on(const std::vector<std::string>& arguments, int ranks);
+
+/// The command that goes on with a single run of this process from the checkpoint in its results folder.
+std::string command_to_resume(const std::vector<std::string>& arguments, const std::filesystem::path& folder);
 
 /// Hashes of script, program and library; the values of all options; hashes of the files that options name and of those
 /// that moat has read outside of cases. An option whose value is a file or folder that exists counts with its absolute

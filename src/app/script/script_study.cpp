@@ -26,6 +26,7 @@
 #include "study/floor_spectra_of_records.hpp"
 #include "study/profiles.hpp"
 #include "study/statistics.hpp"
+#include "study/study_text.hpp"
 
 namespace moat {
 namespace {
@@ -112,6 +113,7 @@ StudyResult ScriptStudy::run(const StudyCases& cases, const std::function<StudyR
     StudyResult result = compute(options);
     close("finished");
     if (reports && last.computed > 0) print_text(std::cout, cost_of(last, now.engine));
+    if (reports && !options_.part) print_text(std::cout, case_lines(result));
     if (const std::string warning = failure_message(result); speaks() && !warning.empty())
       print_text(std::cerr, "moat: warning: " + name + ": " + warning + "\n");
     if (options_.part) {

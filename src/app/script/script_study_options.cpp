@@ -63,8 +63,8 @@ ScriptStudyOptions::ScriptStudyOptions(CommandLine& line) {
 }
 
 bool ScriptStudyOptions::has_influence(const std::string& option) {
-  static const std::set<std::string> of_studies{"out",   "threads",        "retry", "case",
-                                                "cases", "accept-changes", "quiet", "json"};
+  static const std::set<std::string> of_studies{"out",   "threads", "retry", "case",       "cases", "accept-changes",
+                                                "quiet", "json",    "force", "checkpoint", "resume"};
   return !of_studies.contains(option);
 }
 

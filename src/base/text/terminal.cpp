@@ -31,6 +31,12 @@ std::string printable(std::string_view text) {
     else
       shown += byte;
     before = code;
+    // Three bytes that turn the direction of all text behind them: U+202A to U+202E, U+2066 to U+2069.
+    const std::string_view last = std::string_view{shown}.substr(shown.size() < 3 ? 0 : shown.size() - 3);
+    const bool overrides = last.starts_with("\xE2\x80") && code >= 0xAA && code <= 0xAE;
+    if (!overrides && !(last.starts_with("\xE2\x81") && code >= 0xA6 && code <= 0xA9)) continue;
+    shown.resize(shown.size() - 3);
+    shown.append(overrides ? "\\u202" : "\\u206") += digits[code % 16];
   }
   return shown;
 }

@@ -8,8 +8,8 @@
 
 namespace moat {
 
-/// `text` with \u001b and the like in place of control characters, which a terminal would obey. Newlines and all other
-/// UTF-8 stay, so that JSON stays JSON.
+/// `text` with \u001b and the like in place of control characters, which a terminal would obey, and of characters that
+/// turn the direction of text. Newlines and all other UTF-8 stay, so that JSON stays JSON.
 std::string printable(std::string_view text);
 
 /// Prints printable(text) at once. Every text of moat that holds words of users goes through here.

@@ -6,6 +6,14 @@
 #include <iterator>
 
 namespace moat {
+namespace {
+
+// The overrides, embeddings and isolates of Unicode.
+bool turns_text(char32_t character) {
+  return (character >= 0x202A && character <= 0x202E) || (character >= 0x2066 && character <= 0x2069);
+}
+
+}  // namespace
 
 bool is_utf8(std::string_view text) {
   // Nearly all texts are plain ASCII, which is seen without decoding.
@@ -27,9 +35,36 @@ std::size_t characters_in(std::string_view text) {
       std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
+std::string in_columns(const std::vector<std::vector<std::string>>& lines) {
+  std::string text;
+  for (const std::vector<std::string>& line : lines) {
+    std::string row;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      std::size_t width = 0;
+      for (const std::vector<std::string>& each : lines) width = std::max(width, characters_in(each[i]));
+      row += "  " + line[i] + std::string(width - characters_in(line[i]), ' ');
+    }
+    row.erase(row.find_last_not_of(' ') + 1);
+    if (!row.empty()) text += row + "\n";
+  }
+  return text;
+}
+
+std::string as_plain_text(std::string_view text) {
+  std::string valid = as_utf8(text);
+  for (auto at = valid.begin(); at != valid.end();) {
+    const auto begin = at;
+    const char32_t character = utf8::unchecked::next(at);
+    if (!turns_text(character) && character != 0xFFFE && character != 0xFFFF) continue;
+    *begin = '?';
+    at = valid.erase(begin + 1, at);
+  }
+  return valid;
+}
+
 std::string escaped_for_xml(std::string_view text) {
   std::string escaped;
-  for (const char c : as_utf8(text)) {
+  for (const char c : as_plain_text(text)) {
     const bool unknown = static_cast<unsigned char>(c) < ' ' && c != '\t' && c != '\n' && c != '\r';
     if (c == '&')
       escaped += "&amp;";

@@ -56,6 +56,8 @@ class AxialDistribution {
   bool distribute(double sigma, Resultant b, std::span<const PlanVector> shifts, std::span<double> compressions);
 
   [[nodiscard]] std::size_t size() const { return supports_.size(); }  ///< Number of supports.
+  /// Writes or reads the last distribution, from which the next one starts.
+  void archive(auto& archive) { archive(arms_, elastic_, slopes_, motion_, inverse_); }
 
   // The following belong to the last distribution; they are zero after one that does not exist.
   /// e_i > 0.

@@ -61,6 +61,12 @@ class WeightOnBearings {
   /// Whether the law of a bearing takes its axial force.
   [[nodiscard]] bool acts_on_laws() const { return acts_on_laws_; }
 
+  /// Writes or reads the axial forces and all that was noted.
+  void archive(auto& archive) {
+    archive(bearings_, distribution_, compressions_, rates_, shifts_, shift_rates_, moment_, moment_rate_, vertical_,
+            vertical_rate_, rocks_, rocking_time_, first_rocking_);
+  }
+
   /// A bearing and its results.
   struct Bearing {
     ElementId element;             ///< Finds it in the model.

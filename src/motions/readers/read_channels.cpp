@@ -78,6 +78,8 @@ std::vector<RecordChannel> read_channels(const std::filesystem::path& path, cons
     if (channel.count > 1 || (!divided.component.empty() && divided.station == channel.name))
       channel.name += " " + (channel.component.empty() ? std::to_string(i + 1) : channel.component);
     if (channel.station.empty()) channel.station = path.stem().string();
+    if (channel.level == RecordLevel::uncorrected)
+      channel.warnings.insert(channel.warnings.begin(), "this is the uncorrected record");
     check_samples(channel);
   }
   return channels;

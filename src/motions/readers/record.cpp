@@ -222,10 +222,8 @@ std::vector<GroundMotion> read_record_folder(const fs::path& folder) {
   std::vector<GroundMotion> motions;
   for (SortedChannel& each : all.channels()) {
     if (!each.fate.empty()) continue;
-    if (each.channel.vertical)
-      all.note(each, "left out: " + reason_of(each));
-    else
-      motions.push_back(motion_of(each.channel));
+    all.note(each, (each.channel.vertical ? "left out: " : "used: ") + reason_of(each));
+    if (!each.channel.vertical) motions.push_back(motion_of(each.channel));
   }
   if (motions.empty()) all.refuse("there is no horizontal component.");
   return motions;

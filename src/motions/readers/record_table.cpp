@@ -47,7 +47,7 @@ std::string row_of(const SortedChannel& sorted) {
         sorted.step > 0.0 ? to_exact(sorted.step) : "", sorted.sign < 0.0 ? std::string{"-1"} : "",
         field_of(channel.columns), field_of(channel.format),
         std::string{channel.format.empty() ? "" : levels[static_cast<std::size_t>(channel.level)]},
-        field_of(sorted.fate), to_text(peak), channel.start ? std::to_string(*channel.start) : ""})
+        field_of(sorted.fate), to_text(peak), channel.start ? to_fixed(*channel.start, 6) : ""})
     row += "," + field;
   return row;
 }
@@ -64,8 +64,7 @@ std::optional<double> unit_of(std::string_view name) {
 }  // namespace
 
 SortedFiles::SortedFiles(const fs::path& folder, const RecordOptions& options) : where_{folder} {
-  const bool is_elsewhere = options.table.is_absolute() || fs::exists(options.table);
-  const fs::path table = is_elsewhere ? options.table : folder / (options.table.empty() ? table_name : options.table);
+  const fs::path table = folder / (options.table.empty() ? table_name : options.table);
   std::error_code error, no_table;
   std::set<fs::path> files;
   std::set<std::string> names;

@@ -96,7 +96,8 @@ En1998Spectrum::operator TargetSpectrum() const {
   check.above_up_to("soil_factor", soil_factor, 0.0, largest_soil_factor, "1");
   check.that(0.0 < t_b && t_b < t_c && t_c < t_d && t_d <= end,
              "T_B, T_C, T_D = " + to_text(t_b) + ", " + to_text(t_c) + ", " + to_text(t_d) +
-                 " s do not increase from above 0 s to at most 4 s.");
+                 " s do not increase from above 0 s to at most 4 s.",
+             "Give the corners of the national annex in their order.");
   const double eta = std::max(least_eta, std::sqrt(10.0 / (5.0 + 100.0 * damping_ratio)));
   const double plateau = (vertical ? 3.0 : 2.5) * eta, t_e = beyond_4_s ? ends_of_last_branch[row] : end;
   const double at_0 = soil_factor * on_rock * (!vertical ? 1.0 : type == 1 ? 0.9 : 0.45);

@@ -157,6 +157,8 @@ Paint paint_of(const Chart& chart, std::size_t series) {
 
 ChartPanel panel_of(const Chart& chart, int height) {
   check_x_range(chart);
+  if (chart.second_unit)
+    Check{"SecondUnit", chart.second_unit->symbol}.positive("per_first", chart.second_unit->per_first, "1");
   ChartPanel panel{.chart = chart, .y_axis = {}, .left_margin = 0.0};
   for (Series& series : panel.chart.series) series = visible_part(chart, std::move(series));
   panel.y_axis = y_axis_of(panel.chart, height);

@@ -47,7 +47,8 @@ double text_width(std::string_view text, double font_size) {
 std::string shortened(std::string_view text, double font_size, double width) {
   if (text_width(text, font_size) <= width) return std::string{text};
   constexpr std::string_view dots = "...";
-  std::size_t length = text.size();
+  constexpr std::size_t most = 2000;  // more than fit into any picture
+  std::size_t length = std::min(text.size(), most);
   while (length > 0 && (text_width(text.substr(0, length), font_size) + text_width(dots, font_size) > width ||
                         !begins_character(text[length])))
     --length;

@@ -1,6 +1,8 @@
 #include "output/files/building_parts.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <map>
 #include <set>
 #include <string>
 
@@ -17,18 +19,32 @@ std::string side_of_gap(const ElementInfo& gap, bool is_first) {
   return is_first ? "left" : "right";
 }
 
-void add_elements(const Model& model, const std::set<std::string>& bodies, BuildingParts& parts) {
+/// The buildings of a body, by its name: several where they share a base.
+using BuildingsOfBodies = std::map<std::string, std::set<std::size_t>, std::less<>>;
+
+void add_elements(const Model& model, const BuildingsOfBodies& buildings_of, const std::vector<std::string>& walls,
+                  std::vector<BuildingParts>& list) {
+  const auto buildings_at = [&](const std::vector<NodeId>& end) {
+    std::set<std::size_t> at;
+    for (const NodeId node : end)
+      if (const auto found = buildings_of.find(model.body_name(node)); found != buildings_of.end())
+        at.insert(found->second.begin(), found->second.end());
+    return at;
+  };
   for (const auto& block : model.blocks())
     for (const ElementInfo& info : block->infos()) {
-      const auto is_at = [&](const std::vector<NodeId>& end) {
-        return std::ranges::any_of(end,
-                                   [&](NodeId node) { return bodies.contains(std::string{model.body_name(node)}); });
-      };
       const auto [nodes_of_first, nodes_of_second] = info.ends();
-      const bool first = is_at(nodes_of_first), second = is_at(nodes_of_second);
-      if (!first && !second) continue;
-      parts.places.insert({info.name, info.listed_under()});
-      if (block->kind().contacts && first != second) parts.gaps.push_back({info.name, side_of_gap(info, first)});
+      const std::set<std::size_t> first = buildings_at(nodes_of_first), second = buildings_at(nodes_of_second);
+      for (const std::set<std::size_t>* end : {&first, &second})
+        for (const std::size_t building : *end) {
+          list[building].places.insert({info.name, info.listed_under()});
+          if (!block->kind().contacts || first.contains(building) == second.contains(building)) continue;
+          const bool is_first = end == &first;
+          std::string wall;
+          for (const NodeId node : is_first ? nodes_of_second : nodes_of_first)
+            if (std::ranges::find(walls, model.body_name(node)) != walls.end()) wall = model.body_name(node);
+          list[building].gaps.push_back({info.name, side_of_gap(info, is_first), std::move(wall)});
+        }
     }
 }
 
@@ -36,6 +52,7 @@ void add_elements(const Model& model, const std::set<std::string>& bodies, Build
 
 std::vector<BuildingParts> parts_of_buildings(const Model& model) {
   std::vector<BuildingParts> list;
+  BuildingsOfBodies buildings_of;
   const auto name_of = [&](NodeId node) { return std::string{model.body_name(node)}; };
   const std::vector<Building> buildings = all_buildings(model);
   const std::vector<std::string> bodies_beside = bodies_beside_buildings(model);
@@ -47,14 +64,15 @@ std::vector<BuildingParts> parts_of_buildings(const Model& model) {
     parts.modes = building.modes;
     parts.is_body_beside_buildings = std::ranges::find(bodies_beside, building.name) != bodies_beside.end();
     for (const ElementId id : isolators[b]) parts.isolators.push_back(model.blocks()[id.block]->info(id.element).name);
-    std::set<std::string> bodies;
-    for (const NodeId node : building.nodes()) bodies.insert(name_of(node));
-    parts.places = bodies;
+    for (const NodeId node : building.nodes()) {
+      parts.places.insert(name_of(node));
+      buildings_of[name_of(node)].insert(b);
+    }
     parts.places.insert(building.base_name());
     for (const StoreyResult& result : building.storey_results) parts.places.insert(result.place);
-    add_elements(model, bodies, parts);
     list.push_back(std::move(parts));
   }
+  add_elements(model, buildings_of, bodies_beside, list);
   return list;
 }
 

@@ -51,11 +51,11 @@ BuildingCell gap_cell(const CaseResult& result, const BuildingParts& building) {
           .more = std::to_string(touches) + (touches == 1 ? " impact" : " impacts")};
 }
 
-// The largest motion of the wall at a gap, m; 0 where it is rigid. "moat right" has the wall "moat right wall"; corners
-// in plan have the name of their wall in front.
-double motion_of_wall(const CaseResult& result, const std::string& gap) {
+// The largest displacement of the wall at a gap, m; 0 where it is rigid.
+double motion_of_wall(const CaseResult& result, const BuildingParts& building, const std::string& gap) {
+  const auto found = std::ranges::find(building.gaps, gap, &GapOfBuilding::name);
   for (const Peak& peak : result.peaks)
-    if (peak.quantity == "wall_deformation" && (peak.where == gap + " wall" || gap.starts_with(peak.where + " ")))
+    if (found != building.gaps.end() && peak.quantity == "displacement" && peak.where == found->wall)
       return peak.magnitude();
   return 0.0;
 }
@@ -69,7 +69,7 @@ BuildingCell margin_cell(const CaseResult& result, const BuildingParts& building
   std::string more = least->clearance > 0.0 ? to_significant(100.0 * least->left / least->clearance, 3) + " %" : "";
   // A gap that closed on a wall that gives way says little about the gap that is needed.
   constexpr double seen = 1e-3;  // m
-  if (const double motion = motion_of_wall(result, least->where); least->left < 0.0 && motion > seen)
+  if (const double motion = motion_of_wall(result, building, least->where); least->left < 0.0 && motion > seen)
     more = "and the wall " + to_significant(100.0 * motion, 3) + " cm";
   return {.value = with_error(row, engineering_unit("m").symbol),
           .more = std::move(more),
@@ -146,17 +146,7 @@ std::string text_of(const BuildingTable& table) {
     }
     lines.insert(lines.end(), {values, more, places});
   }
-  std::string text;
-  for (const std::vector<std::string>& line : lines) {
-    std::string row;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-      std::size_t width = 0;
-      for (const std::vector<std::string>& each : lines) width = std::max(width, characters_in(each[i]));
-      row += "  " + line[i] + std::string(width - characters_in(line[i]), ' ');
-    }
-    row.erase(row.find_last_not_of(' ') + 1);
-    if (!row.empty()) text += row + "\n";
-  }
+  std::string text = in_columns(lines);
   if (text.find("+-") != std::string::npos) text += "  +- numerical error\n";
   return text;
 }

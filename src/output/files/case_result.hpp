@@ -46,6 +46,8 @@ struct Peak {
   std::string side{};
 
   [[nodiscard]] double magnitude() const { return std::abs(value); }  ///< >= 0, in `unit`.
+
+  void archive(auto& archive) { archive(quantity, where, value, unit, time, error, side); }  ///< StateArchive.
 };
 
 /// How near the two sides of a gap came.
@@ -57,12 +59,16 @@ struct GapClearance {
   double time = 0.0;  ///< s; when it was reached
   /// m, >= 0. Estimated numerical error of `left`; NaN: not known.
   double error = std::numeric_limits<double>::quiet_NaN();
+
+  void archive(auto& archive) { archive(where, clearance, left, time, error); }  ///< StateArchive.
 };
 
 /// Force over indentation of one contact: a value at every end of a step and on both sides of events.
 struct ContactLoop {
   std::vector<double> indentation;  ///< m
   std::vector<double> force;        ///< N
+
+  void archive(auto& archive) { archive(indentation, force); }  ///< StateArchive.
 };
 
 /// One contact from touch until the gap opens again. ImpactRecorder documents where the two ratios are NaN.
@@ -83,6 +89,11 @@ struct Impact {
   double largest_friction_force = 0.0;  ///< N
   double friction_loss = 0.0;           ///< J
   ContactLoop loop{};                   ///< Loop of its force over its indentation.
+
+  void archive(auto& archive) {  ///< StateArchive.
+    archive(where, start, duration, approach_speed, largest_indentation, largest_force, rebound_ratio, restitution,
+            energy_lost, corner, edge, tangential_speed, largest_friction_force, friction_loss, loop);
+  }
 };
 
 /// Energy dissipated by the elements reported at one place.
@@ -139,6 +150,7 @@ struct SolverStatistics {
   long repeated_steps = 0;     ///< repeated shorter because the error estimate was too large
   long event_solves = 0;       ///< solved again to end at a change of regime
   long events = 0;             ///< touches, separations and other changes of regime
+  long passed_changes = 0;     ///< changes that several cuts did not reach, passed by a whole step
   long newton_iterations = 0;  ///< In all steps.
   long factorisations = 0;     ///< Factorisations of the tangent.
   double cpu_seconds = 0.0;    ///< Time of the processor, s.
@@ -175,6 +187,7 @@ struct GapOfBuilding {
   std::string name;  ///< of the element
   /// Where the building touches: "left" or "right"; in plan the edge that a corner of it meets, or its edge.
   std::string side;
+  std::string wall{};  ///< the body on the other side, where it is one beside buildings
 };
 
 /// A building and the names of its parts.

@@ -25,6 +25,10 @@ struct ContactVariation {
 
   /// Whether the parameter is larger than in the nominal run.
   [[nodiscard]] bool increases() const { return factor > 1.0 || difference > 0.0; }
+
+  void archive(auto& archive) {  ///< StateArchive.
+    archive(parameter, factor, difference, restitutions, impacts, contact, failure);
+  }
 };
 
 /// A peak of the nominal run, and its values in the runs with changed contacts.
@@ -35,6 +39,8 @@ struct ChangedPeak {
   double error = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> changed{};  ///< one for every change, with their signs; NaN where that run failed
   bool of_wall = false;           ///< of a wall or another single body beside buildings
+
+  void archive(auto& archive) { archive(quantity, where, unit, value, error, changed, of_wall); }  ///< StateArchive.
 };
 
 /// The runs with changed contacts.
@@ -48,6 +54,10 @@ struct ContactSensitivity {
   std::vector<ContactVariation> changes{};    ///< a decrease and an increase of each parameter
   std::vector<ChangedPeak> peaks{};           ///< all peaks of the nominal run
   std::vector<std::string> unchanged_laws{};  ///< laws of contacts without a parameter that can be changed
+
+  void archive(auto& archive) {  ///< StateArchive.
+    archive(computed, reason, runs_left_out, unsettled, rigid_walls, impacts, changes, peaks, unchanged_laws);
+  }
 };
 
 }  // namespace moat

@@ -3,17 +3,29 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <ostream>
 #include <string>
 #include <string_view>
 
+#include "base/text/utf8_text.hpp"
 #include "output/files/file_io.hpp"
 #include "output/recorders/impact_columns.hpp"
 
 namespace moat {
 namespace {
 
+// Whether a spreadsheet takes a text for a formula: "=...", and "-2+cmd|..." but not "-x".
+bool is_formula(std::string_view text) {
+  if (text.empty()) return false;
+  if (std::string_view{"=@\t\r"}.find(text.front()) != std::string_view::npos) return true;
+  return (text.front() == '+' || text.front() == '-') && text.find_first_of("(|!=") != std::string_view::npos;
+}
+
+// Spreadsheets take a text behind an apostrophe for no formula.
 void append_text(std::string& out, std::string_view text) {
+  if (is_formula(text)) return append_text(out, "'" + std::string{text});
+  if (!is_utf8(text)) return append_text(out, as_utf8(text));
   if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
     out += text;
     return;
@@ -52,23 +64,28 @@ std::string csv_heading(const Table& table) {
 void write_csv(const Table& table, const std::filesystem::path& path) {
   require_equal_lengths(table);
   write_file(path, [&](std::ostream& file) {
-    std::string out = csv_heading(table) + '\n';
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-      for (const Column& column : table.columns) {
-        if (column.labels.empty())
-          append_number(out, column.values[row]);
-        else
-          append_text(out, column.labels[row]);
-        out += ',';
-      }
-      end_line(out);
-      constexpr std::size_t most = 1 << 20;  // of a long table, which may leave no memory for a second one as text
-      if (out.size() < most) continue;
-      file << out;
-      out.clear();
-    }
-    file << out;
+    file << csv_heading(table) << '\n';
+    write_csv_rows(table, 0, file);
   });
+}
+
+void write_csv_rows(const Table& table, std::size_t first, std::ostream& file) {
+  std::string out;
+  for (std::size_t row = first; row < table.rows(); ++row) {
+    for (const Column& column : table.columns) {
+      if (column.labels.empty())
+        append_number(out, column.values[row]);
+      else
+        append_text(out, column.labels[row]);
+      out += ',';
+    }
+    end_line(out);
+    constexpr std::size_t most = 1 << 20;  // of a long table, which may leave no memory for a second one as text
+    if (out.size() < most) continue;
+    file << out;
+    out.clear();
+  }
+  file << out;
 }
 
 void write_csv(const std::vector<Impact>& impacts, const std::filesystem::path& path) {
@@ -98,12 +115,16 @@ void write_csv(const std::vector<Impact>& impacts, const std::filesystem::path& 
 
 void write_peaks_csv(const CaseResult& result, const std::filesystem::path& path) {
   std::string out = "building,place,quantity,unit,value,error,time [s],side\n";
+  std::map<std::string_view, std::string> buildings_at;  // by the place
+  for (const BuildingParts& building : result.buildings) {
+    if (building.name.empty()) continue;
+    for (const std::string& place : building.places) {
+      std::string& names = buildings_at[place];
+      names += (names.empty() ? "" : " and ") + building.name;
+    }
+  }
   for (const Peak& peak : result.peaks) {
-    std::string buildings;
-    for (const BuildingParts& building : result.buildings)
-      if (building.places.contains(peak.where) && !building.name.empty())
-        buildings += (buildings.empty() ? "" : " and ") + building.name;
-    for (const std::string& text : {buildings, peak.where, peak.quantity, peak.unit}) {
+    for (const std::string& text : {buildings_at[peak.where], peak.where, peak.quantity, peak.unit}) {
       append_text(out, text);
       out += ',';
     }

@@ -1,7 +1,9 @@
 // Tables as comma-separated text.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -18,6 +20,9 @@ namespace moat {
 void write_csv(const Table& table, const std::filesystem::path& path);
 /// Returns the header row of the file.
 std::string csv_heading(const Table& table);
+
+/// Writes the rows from this one on.
+void write_csv_rows(const Table& table, std::size_t first, std::ostream& file);
 
 /// One row per impact: `where,start [s],duration [s],approach_speed [m/s],largest_indentation [m],largest_force [N],
 /// rebound_ratio [1],restitution [1],energy_lost [J]`. Without impacts only the header is written. Throws FileError.

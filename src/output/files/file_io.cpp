@@ -36,7 +36,7 @@ void write_file(const std::filesystem::path& path, const std::function<void(std:
 }
 
 void write_file(const std::filesystem::path& path, const std::function<int(const std::string&)>& write) {
-  const std::string unfinished = path.string() + ".unfinished-" + std::to_string(getpid());
+  const std::string unfinished = path.string() + unfinished_ending + std::to_string(getpid());
   int reason = 0;
   try {
     reason = write(unfinished);
@@ -55,8 +55,10 @@ void write_file(const std::filesystem::path& path, const std::function<int(const
 }
 
 std::string file_name_of(std::string_view title) {
+  constexpr std::size_t longest = 100;  // file systems take 255, with numbers and endings
   std::string name;
   for (const char c : title) {
+    if (name.size() == longest) break;
     const bool upper = c >= 'A' && c <= 'Z';
     if (upper || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'))
       name += upper ? static_cast<char>(c - 'A' + 'a') : c;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -34,31 +35,44 @@ inline constexpr const char* paraview_script = "moat.py";
 inline constexpr const char* frames_folder = "frames";
 /// Sub-folder of single charts: displacement.svg, displacement.csv ...
 inline constexpr const char* charts_folder = "charts";
+/// The state of a run that was killed or stopped, from which --resume goes on.
+inline constexpr const char* checkpoint = "checkpoint";
 /// Stands in a folder until its results are complete, and names command, host, process and start of the run.
 inline constexpr const char* unfinished = "unfinished";
 /// Lists the files of complete results. Overwriting replaces these, and nothing else.
 inline constexpr const char* list = ".moat";
 /// All files and sub-folders of results.
 inline constexpr std::array all_names{
-    summary,         histories_csv, histories_vtt, impacts,      peaks,      participating_masses,
-    bearing_checks,  floor_spectra, report,        design_sheet, charts,     frames,
-    paraview_script, frames_folder, charts_folder, records,      unfinished, list};
+    summary,       histories_csv, histories_vtt, impacts,    peaks,  participating_masses, bearing_checks,
+    floor_spectra, report,        design_sheet,  charts,     frames, paraview_script,      frames_folder,
+    charts_folder, records,       checkpoint,    unfinished, list};
 }  // namespace results_file
 
 /// How a folder is treated that already holds something.
 enum class WhenFolderExists {
   use_new_number,  ///< write to the next free of results_2, results_3 ...
   /// Replace the files that `.moat` lists, or after a run that was killed all that have the names of results, or lie
-  /// in the folders frames and charts. Everything else stays; links are removed, not followed. Throws InputError where
-  /// there is neither `.moat` nor `unfinished` of moat.
-  overwrite
+  /// in the folders frames and charts. All other files stay; links of such names are removed, not followed. Throws
+  /// InputError where there is neither `.moat` nor `unfinished` of moat.
+  overwrite,
+  /// Go on in the folder, or in "<name>.new" beside, that has the file `checkpoint`. All that stands there stays.
+  /// Throws InputError where there is none, or another run computes there.
+  go_on
 };
 
+/// Returns this folder, or "<name>.new" beside it, where that has the file `checkpoint`. Throws InputError where
+/// neither has one.
+std::filesystem::path folder_with_checkpoint(const std::filesystem::path& wanted);
+
 /// The folder of one run. It is taken at once: of runs that start together each gets a folder of its own, and a run
-/// that is killed leaves the file `unfinished`. Results that are to be overwritten stay until the new ones are
-/// complete: these are written to the folder "<name>.new" beside, and finish() exchanges them. Results of a run that
-/// stopped before its end go to the next free number by finish_incomplete(), and a run that is killed leaves the old
-/// results as they were.
+/// that is killed leaves the file `unfinished`.
+///
+/// Results that are to be overwritten stay until the new ones are complete. These are written to the folder
+/// "<name>.new" beside, which then gets hard links to the files of the user. Both folders exchange their names in one
+/// system call (renameat2); on file systems without it, such as NFS, by three renames. A run that is killed at any
+/// moment leaves the old or the new results. The next one that overwrites them gives complete results in "<name>.new"
+/// their place, removes the rest, and begins. Results of a run that stopped before its end go to the next free
+/// number by finish_incomplete().
 ///
 ///     ResultsFolder folder{"results/tower", WhenFolderExists::overwrite};
 ///     write_results(result, folder.path());
@@ -81,8 +95,10 @@ class ResultsFolder {
   /// Where the results are after finish().
   [[nodiscard]] const std::filesystem::path& final_path() const { return final_; }
 
-  /// Puts all files in their place, or does as finish_incomplete() where another run writes there now; `unfinished`
-  /// goes. Calling it again does nothing. Throws FileError where a file cannot be moved.
+  /// Lists the files in `.moat`, puts them in their place, and removes `unfinished`. Before old results are removed,
+  /// and after a run of 10 s, it waits until the new ones are on the disk. Does as finish_incomplete() where another
+  /// run writes in that place now, or a file of the user has the name of a new result. Calling it again does nothing.
+  /// Throws FileError where the list cannot be written, or a file cannot be moved.
   void finish();
   /// For results of a run that stopped before its end: those that were to be overwritten stay, and the new ones get the
   /// next free of results_2, results_3 ..., which is final_path() then. Returns whether there are such old results;
@@ -90,12 +106,13 @@ class ResultsFolder {
   bool finish_incomplete();
 
  private:
+  void go_on(const std::string& command);
   void make_folder_beside(const std::string& command);
-  void replace_old_results(const std::filesystem::path& from);
 
   std::filesystem::path final_;
   std::optional<std::filesystem::path> beside_;  // while there are old results
-  int mark_ = -1;                                // the file `unfinished`, locked until finish()
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  int mark_ = -1;  // the file `unfinished`, locked until finish()
 };
 
 }  // namespace moat

@@ -136,7 +136,7 @@ std::string sensitivity_table(const ContactSensitivity& sensitivity, double seco
   if (sensitivity.runs_left_out > 0)
     return "\nSensitivity to contact parameters: not computed" +
            (seconds > 0.0
-                ? ", about " + to_significant(static_cast<double>(sensitivity.runs_left_out) * seconds, 2) + " s"
+                ? ", at most " + to_significant(static_cast<double>(sensitivity.runs_left_out) * seconds, 2) + " s"
                 : std::string{}) +
            "; --sensitivity\n";
   if (!sensitivity.computed) return "";
@@ -147,7 +147,7 @@ std::string sensitivity_table(const ContactSensitivity& sensitivity, double seco
     for (std::size_t i = 0; i < sensitivity.changes.size(); ++i) lines.back().push_back(in_per_cent(peak, i));
   }
   if (!sensitivity.changes.empty()) {
-    lines.push_back({"  touches " + std::to_string(sensitivity.impacts)});
+    lines.push_back({"  impacts " + std::to_string(sensitivity.impacts)});
     for (const ContactVariation& change : sensitivity.changes)
       lines.back().push_back(change.failure.empty() ? std::to_string(change.impacts) : "-");
   }

@@ -29,7 +29,7 @@ std::optional<double> relative_change(const ChangedPeak& peak, std::size_t chang
 std::vector<std::string> sensitivity_notes(const ContactSensitivity& sensitivity);
 
 /// One line for each of the largest peaks, a column for each change, changes in whole per cents from 0.5 % on, and the
-/// number of touches; then the notes. Where nothing was computed one line says so, and with `seconds` > 0, the time of
+/// number of impacts; then the notes. Where nothing was computed one line says so, and with `seconds` > 0, the time of
 /// the main run, how long it would take. Empty without contacts, and where it was not wanted.
 std::string sensitivity_table(const ContactSensitivity& sensitivity, double seconds);
 

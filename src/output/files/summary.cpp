@@ -1,8 +1,10 @@
 #include "output/files/summary.hpp"
 
 #include <nlohmann/json.hpp>
+#include <ostream>
 
 #include "output/files/file_io.hpp"
+#include "output/files/json_object_writer.hpp"
 #include "output/peaks/peak_groups.hpp"
 #include "output/recorders/energy_columns.hpp"
 #include "output/recorders/impact_columns.hpp"
@@ -10,7 +12,7 @@
 namespace moat {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = JsonObjectWriter::Json;
 
 Json text_or_null(const std::string& text) { return text.empty() ? Json{} : Json(text); }
 
@@ -73,18 +75,25 @@ Json json_of(const MotionFacts& motion) {
 Json json_of(PlanVector vector) { return {vector.x, vector.y}; }
 
 // Floors in plan, and the corners that can hit edges.
-void add_plan(Json& json, const ModelFacts& model) {
-  json["plan_units"] = {{"radius_of_gyration", "m"}, {"centre_of_mass", "m"},  {"outline", "m"},
-                        {"first_position", "m"},     {"second_position", "m"}, {"direction", "1"},
-                        {"position", "m"},           {"normal", "1"},          {"edge_begin", "m"},
-                        {"edge_end", "m"},           {"clearance", "m"}};
-  json["diaphragms"] = list_of(model.diaphragms, [](const DiaphragmFacts& each) {
+void add_plan(JsonObjectWriter& json, const ModelFacts& model) {
+  json.add("plan_units", {{"radius_of_gyration", "m"},
+                          {"centre_of_mass", "m"},
+                          {"outline", "m"},
+                          {"first_position", "m"},
+                          {"second_position", "m"},
+                          {"direction", "1"},
+                          {"position", "m"},
+                          {"normal", "1"},
+                          {"edge_begin", "m"},
+                          {"edge_end", "m"},
+                          {"clearance", "m"}});
+  json.add_list("diaphragms", model.diaphragms, [](const DiaphragmFacts& each) {
     return Json{{"name", each.name},
                 {"radius_of_gyration", each.gyration},
                 {"centre_of_mass", json_of(each.centre_of_mass)},
                 {"outline", list_of(each.outline, [](PlanVector corner) { return json_of(corner); })}};
   });
-  json["corners"] = list_of(model.corners, [](const CornerFacts& each) {
+  json.add_list("corners", model.corners, [](const CornerFacts& each) {
     return Json{{"element", each.element},
                 {"corner", each.corner},
                 {"edge", each.edge},
@@ -114,7 +123,7 @@ Json json_of(const ElementFacts& element) {
   return json;
 }
 
-Json json_of(const ModelFacts& model, const std::vector<BuildingParts>& buildings) {
+void add_model(JsonObjectWriter json, const ModelFacts& model, const std::vector<BuildingParts>& buildings) {
   const auto node = [](const NodeFacts& each) {
     return Json{{"name", each.name},
                 {"mass", each.mass},
@@ -127,13 +136,13 @@ Json json_of(const ModelFacts& model, const std::vector<BuildingParts>& building
     return Json{
         {"name", each.name}, {"base", text_or_null(each.base)}, {"floors", each.floors}, {"isolators", each.isolators}};
   };
-  Json json{{"nodes", list_of(model.nodes, node)},
-            {"node_units",
-             {{"mass", "kg"}, {"x", "m"}, {"height", "m"}, {"initial_displacement", "m"}, {"initial_velocity", "m/s"}}},
-            {"elements", list_of(model.elements, [](const ElementFacts& each) { return json_of(each); })},
-            {"buildings", list_of(buildings, building)}};
+  json.add_list("nodes", model.nodes, node);
+  json.add("node_units",
+           {{"mass", "kg"}, {"x", "m"}, {"height", "m"}, {"initial_displacement", "m"}, {"initial_velocity", "m/s"}});
+  json.add_list("elements", model.elements, [](const ElementFacts& each) { return json_of(each); });
+  json.add_list("buildings", buildings, building);
   if (!model.diaphragms.empty()) add_plan(json, model);
-  return json;
+  json.end();
 }
 
 Json json_of(const EnergyBalance& energy) {
@@ -155,6 +164,7 @@ Json json_of(const SolverStatistics& solver) {
           {"repeated_steps", solver.repeated_steps},
           {"event_solves", solver.event_solves},
           {"events", solver.events},
+          {"passed_changes", solver.passed_changes},
           {"newton_iterations", solver.newton_iterations},
           {"factorisations", solver.factorisations},
           {"cpu_seconds", solver.cpu_seconds},
@@ -190,60 +200,63 @@ Json json_of(const ContactVariation& variation) {
   return json;
 }
 
-Json json_of(const ContactSensitivity& sensitivity) {
+void add_sensitivity(JsonObjectWriter json, const ContactSensitivity& sensitivity) {
   const auto peak = [](const ChangedPeak& each) {
     return Json{{"quantity", each.quantity}, {"where", each.where}, {"unit", each.unit},
                 {"value", each.value},       {"error", each.error}, {"changed", each.changed}};
   };
-  return {{"computed", sensitivity.computed},
-          {"reason", text_or_null(sensitivity.reason)},
-          {"unsettled", sensitivity.unsettled},
-          {"rigid_walls", sensitivity.rigid_walls},
-          {"impacts", sensitivity.impacts},
-          {"changes", list_of(sensitivity.changes, [](const ContactVariation& each) { return json_of(each); })},
-          {"peaks", list_of(sensitivity.peaks, peak)},
-          {"unchanged_laws", sensitivity.unchanged_laws}};
+  json.add("computed", sensitivity.computed);
+  json.add("reason", text_or_null(sensitivity.reason));
+  json.add("unsettled", sensitivity.unsettled);
+  json.add("rigid_walls", sensitivity.rigid_walls);
+  json.add("impacts", sensitivity.impacts);
+  json.add_list("changes", sensitivity.changes, [](const ContactVariation& each) { return json_of(each); });
+  json.add_list("peaks", sensitivity.peaks, peak);
+  json.add("unchanged_laws", sensitivity.unchanged_laws);
+  json.end();
 }
 
-}  // namespace
-
-void write_summary_json(const CaseResult& result, const std::filesystem::path& path) {
-  Json json;
-  json["title"] = result.title;
-  json["moat_version"] = result.provenance.moat_version;
-  json["provenance"] = json_of(result.provenance);
-  json["motion"] = json_of(result.motion);
-  json["model"] = json_of(result.model, result.buildings);
-  json["analysis"] = json_of(result.analysis);
-  json["periods"] = list_of(result.periods, [](const NamedPeriod& period) {
+void write_summary(const CaseResult& result, std::ostream& file) {
+  JsonObjectWriter json{file};
+  json.add("title", result.title);
+  json.add("moat_version", result.provenance.moat_version);
+  json.add("provenance", json_of(result.provenance));
+  json.add("motion", json_of(result.motion));
+  add_model(json.add_object("model"), result.model, result.buildings);
+  json.add("analysis", json_of(result.analysis));
+  json.add_list("periods", result.periods, [](const NamedPeriod& period) {
     return Json{{"name", period.name}, {"value", period.value}, {"unit", "s"}};
   });
-  json["assumptions"] = result.assumptions;
-  json["peaks"] = list_of(result.peaks, [](const Peak& peak) {
+  json.add("assumptions", result.assumptions);
+  json.add_list("peaks", result.peaks, [](const Peak& peak) {
     return Json{{"quantity", peak.quantity}, {"where", peak.where}, {"value", peak.value}, {"unit", peak.unit},
                 {"time", peak.time},         {"error", peak.error}, {"side", peak.side}};
   });
-  json["clearances"] = list_of(result.clearances, [](const GapClearance& gap) {
+  json.add_list("clearances", result.clearances, [](const GapClearance& gap) {
     return Json{{"where", gap.where}, {"clearance", gap.clearance}, {"clearance_left", gap.left},
                 {"unit", "m"},        {"time", gap.time},           {"error", gap.error}};
   });
   const std::vector<Peak> residuals = residual_displacements(result.histories);
   auto residual = residuals.begin();
-  json["isolators_at_the_end"] = list_of(isolators_at_the_end(result.histories), [&](const Peak& isolator) {
+  json.add_list("isolators_at_the_end", isolators_at_the_end(result.histories), [&](const Peak& isolator) {
     return Json{{"where", isolator.where},
                 {"deformation", isolator.value},
                 {"residual_displacement", (residual++)->value},
                 {"unit", "m"},
                 {"time", isolator.time}};
   });
-  json["constant_quantities"] = constant_quantities(result.histories);
-  json["error_bars"] = json_of(result.error_bars);
-  json["contact_sensitivity"] = result.clearances.empty() ? Json{} : json_of(result.contact_sensitivity);
-  json["impacts"] = result.impacts.size();
+  json.add("constant_quantities", constant_quantities(result.histories));
+  json.add("error_bars", json_of(result.error_bars));
+  if (result.clearances.empty())
+    json.add("contact_sensitivity", nullptr);
+  else
+    add_sensitivity(json.add_object("contact_sensitivity"), result.contact_sensitivity);
+  json.add("impacts", result.impacts.size());
   const std::vector<ImpactColumn> columns = columns_of(result.impacts);
-  json["impact_units"] = Json::object();
-  for (const ImpactColumn& column : columns) json["impact_units"][column.name] = column.unit;
-  json["impact_table"] = list_of(result.impacts, [&](const Impact& impact) {
+  Json units = Json::object();
+  for (const ImpactColumn& column : columns) units[column.name] = column.unit;
+  json.add("impact_units", units);
+  json.add_list("impact_table", result.impacts, [&](const Impact& impact) {
     Json row{{"where", impact.where}};
     for (const ImpactColumn& column : columns) row[column.name] = impact.*column.value;
     if (are_in_plan(result.impacts))
@@ -251,7 +264,7 @@ void write_summary_json(const CaseResult& result, const std::filesystem::path& p
     return row;
   });
   if (!result.torsion.empty())
-    json["torsion"] = list_of(result.torsion, [](const BuildingTorsion& torsion) {
+    json.add_list("torsion", result.torsion, [](const BuildingTorsion& torsion) {
       return Json{{"where", torsion.where},
                   {"corner_displacement", torsion.corner},
                   {"displacement", torsion.centre},
@@ -261,11 +274,17 @@ void write_summary_json(const CaseResult& result, const std::filesystem::path& p
                   {"of_formula", torsion.of_formula},
                   {"of_code", torsion.of_code}};
     });
-  json["energy"] = json_of(result.energy);
-  json["warnings"] = result.warnings;
-  json["solver"] = json_of(result.solver);
-  // A title in another encoding must not cost the results of a run.
-  write_file(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  json.add("energy", json_of(result.energy));
+  json.add("warnings", result.warnings);
+  json.add("solver", json_of(result.solver));
+  json.end();
+  file << "\n";
+}
+
+}  // namespace
+
+void write_summary_json(const CaseResult& result, const std::filesystem::path& path) {
+  write_file(path, [&](std::ostream& file) { write_summary(result, file); });
 }
 
 }  // namespace moat

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string_view>
 
@@ -73,9 +74,14 @@ std::vector<Peak> peaks_of_tables(const CaseResult& result) {
   const std::set<std::string> constant = constant_quantities(result.histories);
   const std::set<std::string> of_contact{"impact_force", "indentation", "friction_force"};
   const auto bearings = single_bearings(result.model);
+  // A light wall rings after every hit; its accelerations are of no use beside those of floors.
+  std::set<std::string> walls;
+  for (const BuildingParts& building : result.buildings)
+    for (const GapOfBuilding& gap : building.gaps) walls.insert(gap.wall);
   std::vector<Peak> shown = result.peaks;
   std::erase_if(shown, [&](const Peak& peak) {
     return constant.contains(peak.quantity) || bearings.contains(peak.where) ||
+           (peak.quantity == "absolute_acceleration" && walls.contains(peak.where)) ||
            (peak.value == 0.0 && of_contact.contains(peak.quantity));
   });
   return shown;
@@ -144,11 +150,14 @@ std::vector<Peak> isolators_at_the_end(const Table& histories) {
 
 std::vector<Peak> residual_displacements(const Table& histories) {
   std::vector<Peak> residuals = isolators_at_the_end(histories);
+  std::map<std::string_view, std::vector<const Column*>> deformations;  // by the place
+  for (const Column& column : histories.columns)
+    if (column.quantity.starts_with("isolator_deformation")) deformations[column.where].push_back(&column);
   for (Peak& residual : residuals) {
     residual.quantity = "residual_displacement";
     double squares = 0.0;  // of components in plan
-    for (const Column& column : histories.columns) {
-      if (column.where != residual.where || !column.quantity.starts_with("isolator_deformation")) continue;
+    for (const Column* each : deformations[residual.where]) {
+      const Column& column = *each;
       const std::optional<double> mean = mean_of_last_turns(histories.values("time"), column.values);
       if (mean) residual.side = "still moving";
       const double value = mean.value_or(column.values.back());

@@ -6,9 +6,10 @@
 
 namespace moat {
 
-PeakRecorder::PeakRecorder(const Model& model) : model_{&model}, channels_{model}, peaks_{channels_.list().size()} {
-  for (std::size_t i = 0; i < channels_.list().size(); ++i)
-    if (channels_.list()[i].quantity == "bearing_compression") smallest_.push_back({.channel = i});
+PeakRecorder::PeakRecorder(const Model& model)
+    : model_{&model}, channels_{std::make_shared<const Channels>(model)}, peaks_{channels_->list().size()} {
+  for (std::size_t i = 0; i < channels_->list().size(); ++i)
+    if (channels_->list()[i].quantity == "bearing_compression") smallest_.push_back({.channel = i});
 }
 
 void PeakRecorder::start(const StepView& view) { step(view); }
@@ -16,7 +17,7 @@ void PeakRecorder::start(const StepView& view) { step(view); }
 void PeakRecorder::step(const StepView& view) {
   sample(view);
   peaks_.add([&](std::size_t channel, double fraction, double turned) {
-    return channels_.value_inside(view, channel, fraction, turned);
+    return channels_->value_inside(view, channel, fraction, turned);
   });
   keep_smallest(true);
   if (model_->is_plan()) add_slide_begins(view.state);
@@ -60,7 +61,7 @@ void PeakRecorder::finish(const StepView& view) {
 void PeakRecorder::sample(const StepView& view) {
   CommonInstant& next = peaks_.next();
   next.time = view.state.time();
-  channels_.sample(view, next.values, next.rates);
+  channels_->sample(view, next.values, next.rates);
 }
 
 // Where a corner began to slide inside the step, the rates of its friction and of the accelerations jump.
@@ -71,7 +72,7 @@ void PeakRecorder::add_slide_begins(const AnalysisState& state) {
     for (std::size_t e = 0; e < model_->blocks()[b]->size(); ++e) {
       const double fraction = state.elements(b).contact(e).slide_begin;
       if (std::isnan(fraction)) continue;
-      for (const std::size_t channel : channels_.bent_by(*model_, {.block = b, .element = e}))
+      for (const std::size_t channel : channels_->bent_by(*model_, {.block = b, .element = e}))
         peaks_.add_bend(channel, start + fraction * (end - start));
     }
   }
@@ -85,10 +86,11 @@ void PeakRecorder::event(const StepView& view, std::span<const RegimeChange>) {
 
 std::vector<Peak> PeakRecorder::peaks() const {
   std::vector<Peak> peaks;
+  peaks.reserve(peaks_.size());
   std::vector<std::size_t> channel_of_peak;
   std::map<std::pair<std::string, std::string>, std::size_t> index;
   for (std::size_t i = 0; i < peaks_.size(); ++i) {
-    const Channel& channel = channels_.list()[i];
+    const Channel& channel = channels_->list()[i];
     const auto [found, inserted] = index.try_emplace({channel.quantity, channel.place}, peaks.size());
     if (inserted) {
       peaks.push_back({channel.quantity, channel.place, 0.0, channel.unit, 0.0});
@@ -104,14 +106,14 @@ std::vector<Peak> PeakRecorder::peaks() const {
   for (std::size_t i = 0; i < peaks.size(); ++i) peaks[i].side = side_of(channel_of_peak[i], peaks[i]);
   // Bearings that share a place, each by its own name.
   for (std::size_t i = 0; i < peaks_.size(); ++i) {
-    const Channel& channel = channels_.list()[i];
+    const Channel& channel = channels_->list()[i];
     const bool of_bearing = channel.quantity == "isolator_deformation" || channel.quantity == "isolator_force" ||
                             channel.quantity == "bearing_compression";
     if (of_bearing && channel.where != channel.place && !index.contains({channel.quantity, channel.where}))
       peaks.push_back({channel.quantity, channel.where, peaks_.value(i), channel.unit, peaks_.time(i)});
   }
   for (const Smallest& each : smallest_) {
-    const Channel& channel = channels_.list()[each.channel];
+    const Channel& channel = channels_->list()[each.channel];
     peaks.push_back({"smallest_bearing_compression", channel.where, each.value, channel.unit, each.time});
   }
   peaks.insert(peaks.end(), uplifts_.begin(), uplifts_.end());
@@ -132,7 +134,7 @@ std::vector<Peak> PeakRecorder::peaks() const {
 }
 
 std::string PeakRecorder::side_of(std::size_t channel, const Peak& peak) const {
-  const Channel& of_peak = channels_.list()[channel];
+  const Channel& of_peak = channels_->list()[channel];
   if (peak.value == 0.0) return "";
   if (of_peak.where != of_peak.place) return of_peak.where;
   if (of_peak.of_gap || model_->is_plan()) return "";

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -25,9 +26,12 @@ class PeakRecorder final : public StepObserver {
   void step(const StepView& view) override;
   void event(const StepView& view, std::span<const RegimeChange> changes) override;
   void finish(const StepView& view) override;
+  void archive(StateArchive& archive) override { archive(peaks_, smallest_); }
 
   /// All channels at the end of the last step, or just after an event behind which they jumped.
   [[nodiscard]] const CommonInstant& last() const { return peaks_.last(); }
+  /// The channels, which other recorders may share.
+  [[nodiscard]] const std::shared_ptr<const Channels>& channels() const { return channels_; }
   /// One for every channel that has a peak.
   [[nodiscard]] std::vector<Peak> peaks() const;
 
@@ -38,7 +42,7 @@ class PeakRecorder final : public StepObserver {
   [[nodiscard]] std::string side_of(std::size_t channel, const Peak& peak) const;
 
   const Model* model_;
-  Channels channels_;
+  std::shared_ptr<const Channels> channels_;
   PeakTrackers peaks_;  // of all channels
   // The smallest value of a channel.
   struct Smallest {

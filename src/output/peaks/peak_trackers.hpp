@@ -43,6 +43,8 @@ struct CommonInstant {
   double time = 0.0;           ///< s
   std::vector<double> values;  ///< each in its unit
   std::vector<double> rates;   ///< per second
+
+  void archive(auto& archive) { archive(time, values, rates); }  ///< StateArchive.
 };
 
 /// Follows many quantities through common instants at unequal distances and keeps the largest magnitude of each over
@@ -134,6 +136,8 @@ class PeakTrackers {
   [[nodiscard]] double magnitude(std::size_t i) const { return std::abs(values_[i]); }  ///< Magnitude of value().
   /// When value() was reached, s.
   [[nodiscard]] double time(std::size_t i) const { return times_[i]; }
+  /// Writes or reads peaks and instants.
+  void archive(auto& archive) { archive(values_, times_, last_bends_, turns_, instants_, newest_); }
 
  private:
   static constexpr std::size_t kept = 6;  // the next instant, both ends of the last step, and three before them

@@ -27,12 +27,6 @@ DemandAt demand_at(const StepView& view, std::size_t block, std::size_t element,
           .time = view.state.time()};
 }
 
-// The bearings that an element stands for.
-double count_of(const LawAsGiven& law) {
-  const auto count = std::ranges::find(law.parameters, "count", &Parameter::name);
-  return count == law.parameters.end() ? 1.0 : count->value;
-}
-
 }  // namespace
 
 BearingCheckRecorder::BearingCheckRecorder(CheckRules rules, std::map<std::string, BearingCapacities> capacities)
@@ -52,8 +46,8 @@ void BearingCheckRecorder::start(const StepView& view) {
       if (of_element == capacities_.end()) continue;
       found.insert(of_element->first);
       const LawAsGiven law = blocks[b]->law(e);
-      bearings_.push_back({b, e, count_of(law), info.name, info.place.empty() ? law.name : info.place,
-                           BearingChecks{of_element->second, rules_}});
+      bearings_.push_back({b, e, parameter_of(law.parameters, "count", 1.0), info.name,
+                           info.place.empty() ? law.name : info.place, BearingChecks{of_element->second, rules_}});
     }
   for (const auto& [name, each] : capacities_)
     Check{"BearingCheckRecorder", name}.that(

@@ -35,6 +35,9 @@ class BearingCheckRecorder final : public StepObserver {
   void step(const StepView& view) override;
   void event(const StepView& view, std::span<const RegimeChange>) override { step(view); }
 
+  void archive(StateArchive& archive) override {
+    for (Bearing& bearing : bearings_) bearing.checks.archive(archive);
+  }
   /// One for every check of every bearing, in the order of the model.
   [[nodiscard]] std::vector<BearingCheckRow> rows() const;
 

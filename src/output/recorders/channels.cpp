@@ -17,6 +17,7 @@ Channels::Channels(const Model& model) {
   base_shear_of_node_.assign(static_cast<std::size_t>(model.nodes()), -1);
   if (model.is_plan()) {
     plan_ = PlanChannels{model, list_};
+    list_.shrink_to_fit();
     return;
   }
   for (const Building& building : model.buildings()) {
@@ -28,6 +29,7 @@ Channels::Channels(const Model& model) {
       base_shear_of_node_[static_cast<std::size_t>(model.place(node))] = static_cast<int>(list_.size());
     list_.push_back({"total_base_shear", building.base_name(), building.base_name(), "N"});
   }
+  list_.shrink_to_fit();
 }
 
 void Channels::add_elements(const Model& model, std::size_t b) {

@@ -17,6 +17,7 @@ class ClearanceRecorder final : public StepObserver {
 
   void start(const StepView& view) override { step(view); }
   void step(const StepView& view) override;
+  void archive(StateArchive& archive) override { archive(gaps_, time_before_); }
 
   /// In the order of the elements.
   [[nodiscard]] std::vector<GapClearance> clearances() const;

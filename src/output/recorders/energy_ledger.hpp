@@ -23,6 +23,10 @@ class EnergyLedger final : public StepObserver {
 
   /// Keeps balance() of the last state.
   void finish(const StepView& view) override { at_end_ = balance(view.state); }
+  void archive(StateArchive& archive) override {
+    archive(time_, displacement_, velocity_, acceleration_, ground_acceleration_, kinetic_at_start_, input_,
+            largest_input_, largest_kinetic_);
+  }
   /// Returns the balance that finish() kept.
   [[nodiscard]] const EnergyBalance& at_end() const { return at_end_; }
 

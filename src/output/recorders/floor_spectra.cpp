@@ -174,6 +174,19 @@ void FloorSpectra::step(const StepView& view) {
 
 void FloorSpectra::event(const StepView& view, std::span<const RegimeChange>) { oscillators_->sample(view); }
 
+// Intervals too: one serves all lengths that differ from it by round-off.
+void FloorSpectra::archive(StateArchive& archive) {
+  Oscillators& all = *oscillators_;
+  std::map<long, double> lengths;
+  for (const auto& [number, of_groups] : all.intervals) lengths[number] = of_groups.front().whole.length;
+  archive(all.time, all.motions, lengths);
+  for (Oscillators::Point& point : all.points) archive(point.before, point.now);
+  if (!archive.reads()) return;
+  all.intervals.clear();
+  for (const auto& [number, length] : lengths)
+    for (const OscillatorGroup& group : all.groups) all.intervals[number].emplace_back(group, length);
+}
+
 std::vector<FloorSpectrum> FloorSpectra::spectra() const {
   std::vector<FloorSpectrum> list;
   if (oscillators_ == nullptr) return list;

@@ -48,6 +48,7 @@ class FloorSpectra final : public StepObserver {
   void start(const StepView& view) override;
   void step(const StepView& view) override;
   void event(const StepView& view, std::span<const RegimeChange>) override;
+  void archive(StateArchive& archive) override;
 
   /// Up to now, with the free vibration if the floors stopped here: for every floor and place along every direction one
   /// for each damping. Empty before the start.

@@ -11,7 +11,7 @@
 
 namespace moat {
 HistoryRecorder::HistoryRecorder(const Model& model, double interval, const EnergyLedger* ledger, bool inside_steps)
-    : channels_{model},
+    : channels_{std::make_shared<const Channels>(model)},
       interval_{interval},
       ledger_{ledger},
       inside_steps_{inside_steps},
@@ -19,36 +19,39 @@ HistoryRecorder::HistoryRecorder(const Model& model, double interval, const Ener
       weights_change_{
           std::ranges::any_of(model.buildings(), [](const Building& each) { return each.axial_forces.has_value(); })} {
   Check{"HistoryRecorder", ""}.positive("interval", interval, "s");
-  columns_.push_back({"time", "", "s", {}});
+  // Some more for ground, gaps and energies.
+  recorded_.columns.reserve(channels_->list().size() + channels_->list().size() / 8 + 16);
+  recorded_.columns.push_back({"time", "", "s", {}});
   if (in_plan_) {
-    columns_.push_back({"ground_acceleration_x", "ground", "m/s^2", {}});
-    columns_.push_back({"ground_acceleration_y", "ground", "m/s^2", {}});
+    recorded_.columns.push_back({"ground_acceleration_x", "ground", "m/s^2", {}});
+    recorded_.columns.push_back({"ground_acceleration_y", "ground", "m/s^2", {}});
   } else {
-    columns_.push_back({"ground_acceleration", "ground", "m/s^2", {}});
+    recorded_.columns.push_back({"ground_acceleration", "ground", "m/s^2", {}});
   }
-  for (const Channel& channel : channels_.list())
-    columns_.push_back({channel.quantity, channel.where, channel.unit, {}});
+  for (const Channel& channel : channels_->list())
+    recorded_.columns.push_back({channel.quantity, channel.where, channel.unit, {}});
   for (std::size_t b = 0; b < model.blocks().size(); ++b) {
     if (!model.blocks()[b]->kind().contacts) continue;
     for (std::size_t e = 0; e < model.blocks()[b]->size(); ++e) {
       gaps_.push_back({b, e});
-      columns_.push_back({"opening", model.blocks()[b]->info(e).name, "m", {}});
+      recorded_.columns.push_back({"opening", model.blocks()[b]->info(e).name, "m", {}});
     }
   }
   if (ledger_ != nullptr)
     for (const EnergyColumn& column : energy_columns(in_plan_, weights_change_))
-      columns_.push_back({std::string{column.name} + "_energy", "structure", "J", {}});
+      recorded_.columns.push_back({std::string{column.name} + "_energy", "structure", "J", {}});
 }
 
 void HistoryRecorder::add(const OfferedQuantities& quantities) {
   offered_ = &quantities;
   for (; offered_columns_ < quantities.list().size(); ++offered_columns_) {
     const OfferedQuantity& each = quantities.list()[offered_columns_];
-    const bool is_new = std::ranges::none_of(
-        columns_, [&](const Column& head) { return head.quantity == each.quantity && head.where == each.where; });
+    const bool is_new = std::ranges::none_of(recorded_.columns, [&](const Column& head) {
+      return head.quantity == each.quantity && head.where == each.where;
+    });
     Check{"QuantityRecorder", each.quantity}.that(
         is_new, "moat records a quantity of this name at \"" + each.where + "\" itself.", "Choose another name.");
-    columns_.push_back({each.quantity, each.where, each.unit, {}});
+    recorded_.columns.push_back({each.quantity, each.where, each.unit, {}});
   }
 }
 
@@ -85,7 +88,7 @@ void HistoryRecorder::take(const StepView& view, bool with_energies) {
     now_.values = sampled_->last().values;
     now_.rates = sampled_->last().rates;
   } else {
-    channels_.sample(view, now_.values, now_.rates);
+    channels_->sample(view, now_.values, now_.rates);
   }
   for (const auto& [b, e] : gaps_) {
     const ElementResult result = view.state.elements(b).results()[e];
@@ -110,9 +113,9 @@ const HistoryRecorder::Sample& HistoryRecorder::between(const StepView& view, do
   for (std::size_t i = 0; i < now_.values.size(); ++i) {
     const HermiteCubic cubic{before_.values[i], before_.rates[i], now_.values[i], now_.rates[i], step};
     // The openings of gaps follow the channels.
-    const bool is_channel = i < channels_.list().size();
+    const bool is_channel = i < channels_->list().size();
     const double value = cubic.is_smooth() ? cubic.value(x) : linear(before_.values[i], now_.values[i]);
-    inside_.values[i] = is_channel ? channels_.value_inside(view, i, x, value) : value;
+    inside_.values[i] = is_channel ? channels_->value_inside(view, i, x, value) : value;
   }
   inside_.energies = now_.energies;
   if (before_.energies.size() == now_.energies.size())
@@ -126,22 +129,31 @@ const HistoryRecorder::Sample& HistoryRecorder::between(const StepView& view, do
 
 void HistoryRecorder::reserve(double duration) {
   constexpr double most = 1 << 23;  // numbers in all columns
-  const double rows = std::min(duration / interval_ + 2.0, most / static_cast<double>(columns_.size()));
-  for (Column& column : columns_) column.values.reserve(static_cast<std::size_t>(rows));
+  const double rows = std::min(duration / interval_ + 2.0, most / static_cast<double>(recorded_.columns.size()));
+  for (Column& column : recorded_.columns) column.values.reserve(static_cast<std::size_t>(rows));
+}
+
+double HistoryRecorder::fit(double duration, double bytes) {
+  constexpr double bytes_per_value = 500.0 / 45.0;
+  const double needed = (duration / interval_ + 1.0) * static_cast<double>(recorded_.columns.size()) * bytes_per_value;
+  if (needed <= bytes) return 0.0;
+  interval_ *= std::ceil(needed / bytes);
+  return needed;
 }
 
 Table HistoryRecorder::take_table() {
   Table taken;
-  for (Column& column : columns_)
+  taken.columns.reserve(recorded_.columns.size());
+  for (Column& column : recorded_.columns)
     taken.columns.push_back({column.quantity, column.where, column.unit, std::exchange(column.values, {})});
   return taken;
 }
 
 void HistoryRecorder::add_row(const Sample& sample) {
   // Before the row: without memory for it all columns keep one length.
-  for (Column& each : columns_)
+  for (Column& each : recorded_.columns)
     if (each.values.size() == each.values.capacity()) each.values.reserve(2 * each.values.size() + 1);
-  auto column = columns_.begin();
+  auto column = recorded_.columns.begin();
   const auto add = [&](double value) { (column++)->values.push_back(value); };
   add(sample.time);
   add(sample.ground_acceleration.x);

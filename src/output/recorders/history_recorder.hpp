@@ -1,6 +1,7 @@
 // Histories of all channels.
 #pragma once
 
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -26,6 +27,10 @@ class HistoryRecorder final : public StepObserver {
   void start(const StepView& view) override;
   void step(const StepView& view) override;
   void event(const StepView& view, std::span<const RegimeChange> changes) override;
+  void archive(StateArchive& archive) override {
+    archive(interval_, next_, before_, now_);
+    for (Column& column : recorded_.columns) archive(column.values);
+  }
 
   /// Before the start: adds columns for these quantities, which must outlive the recorder; called again, for those
   /// listed since. Throws InputError for one that has a column already.
@@ -33,12 +38,20 @@ class HistoryRecorder final : public StepObserver {
 
   /// Before the start: channels are those that these peaks sample, which must outlive the recorder and be attached
   /// before it. Otherwise they are sampled a second time.
-  void share_samples_of(const PeakRecorder& peaks) { sampled_ = &peaks; }
+  void share_samples_of(const PeakRecorder& peaks) {
+    sampled_ = &peaks;
+    channels_ = peaks.channels();
+  }
   /// Before the start: room for the rows of so many seconds, up to 64 MB. More may come.
   void reserve(double duration);
+  /// Before the start: takes a multiple of the interval where the rows of so many seconds, with the files that are made
+  /// of them, would need more bytes (500 for a row of 45 columns). Returns the bytes that the rows at the first
+  /// interval would need; 0 if they fit.
+  double fit(double duration, double bytes);
+  [[nodiscard]] double interval() const { return interval_; }  ///< s
 
   /// All columns, from the start to the last recorded time.
-  [[nodiscard]] Table table() const { return {columns_}; }
+  [[nodiscard]] const Table& table() const { return recorded_; }
   /// Returns all columns; the recorder then no longer has their rows.
   [[nodiscard]] Table take_table();
 
@@ -48,6 +61,8 @@ class HistoryRecorder final : public StepObserver {
     double time = 0.0;
     PlanVector ground_acceleration{};
     std::vector<double> values, rates, energies, offered;
+
+    void archive(auto& archive) { archive(time, ground_acceleration, values, rates, energies, offered); }
   };
 
   void take(const StepView& view, bool with_energies);
@@ -55,7 +70,7 @@ class HistoryRecorder final : public StepObserver {
   [[nodiscard]] const Sample& between(const StepView& view, double time);
   [[nodiscard]] double next_time() const { return static_cast<double>(next_) * interval_; }
 
-  Channels channels_;
+  std::shared_ptr<const Channels> channels_;
   std::vector<std::pair<std::size_t, std::size_t>> gaps_;  // block and element
   double interval_;
   const EnergyLedger* ledger_;
@@ -66,7 +81,7 @@ class HistoryRecorder final : public StepObserver {
   std::size_t offered_columns_ = 0;
   long next_ = 0;  // multiple of the interval
   Sample before_, now_, inside_;
-  std::vector<Column> columns_;
+  Table recorded_;
 };
 
 }  // namespace moat

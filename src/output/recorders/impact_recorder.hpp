@@ -26,6 +26,7 @@ class ImpactRecorder final : public StepObserver {
   void step(const StepView& view) override;
   void event(const StepView& view, std::span<const RegimeChange> changes) override;
   void finish(const StepView& view) override;
+  void archive(StateArchive& archive) override { archive(impacts_, listed_, ongoing_); }
 
   /// In order of touch.
   [[nodiscard]] const std::vector<Impact>& impacts() const { return impacts_; }
@@ -41,9 +42,11 @@ class ImpactRecorder final : public StepObserver {
   struct Ongoing {
     RegimeChange gap;
     std::size_t impact;
-    PeakTrackers peaks;                         // of indentation, force and friction
+    PeakTrackers peaks{3};                      // of indentation, force and friction
     double dissipated_before, friction_before;  // J
     int departures_before = 0;                  // how often the corner had left its edge in contact
+
+    void archive(auto& archive) { archive(gap, impact, peaks, dissipated_before, friction_before, departures_before); }
   };
 
   void follow(const StepView& view, bool after_event);

@@ -24,6 +24,9 @@ class IsolatorForces final : public StepObserver {
   void step(const StepView& view) override;
   void event(const StepView& view, std::span<const RegimeChange>) override { step(view); }
 
+  void archive(StateArchive& archive) override {
+    for (Sum& sum : sums_) archive(sum.largest, sum.time_of_x, sum.time_of_y);
+  }
   [[nodiscard]] std::vector<Peak> peaks() const;  ///< Peaks of every building on isolators, so far.
 
  private:

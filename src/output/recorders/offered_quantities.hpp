@@ -42,6 +42,7 @@ class OfferedPeaks final : public StepObserver {
   void step(const StepView& view) override;
   void event(const StepView& view, std::span<const RegimeChange>) override { step(view); }
 
+  void archive(StateArchive& archive) override { archive(largest_); }
   /// One for every quantity. The value is not a number where no value was finite.
   [[nodiscard]] std::vector<Peak> peaks() const;
   /// One for every quantity with values that are not finite.

@@ -39,8 +39,18 @@ class StepObserver {
   virtual void step(const StepView& view) = 0;
   /// After changes of regime.
   virtual void event(const StepView&, std::span<const RegimeChange>) {}
-  /// After the last step, also when a step failed and the analysis ends early.
+  /// After the last step, also when a step failed and the analysis ends early. A run that was killed behind its last
+  /// step, while others with finer steps followed, calls it once more when it goes on.
   virtual void finish(const StepView&) {}
+  /// Writes all that step() and event() change, or reads it back after start(), so that a run can go on from a
+  /// checkpoint:
+  ///
+  ///     void archive(StateArchive& archive) override { archive(largest_, time_); }
+  ///
+  /// Empty for an observer that keeps nothing. One that does not say how throws InputError: its run has no checkpoints.
+  virtual void archive(StateArchive&) {
+    throw InputError{"An observer of this script has no archive(StateArchive&), which writes and reads its values."};
+  }
 };
 
 }  // namespace moat

@@ -27,11 +27,7 @@ namespace fs = std::filesystem;
 /// frames.pvd, for which VTK has no writer.
 class FrameList {
  public:
-  explicit FrameList(const fs::path& path) : path_{path} {
-    write_file(path, head_ + tail_);
-    file_.open(path, std::ios::in | std::ios::out);
-    if (!file_) refuse(std::strerror(errno));
-  }
+  explicit FrameList(const fs::path& path) : path_{path} { write(); }
 
   void add(double time, const std::string& file) {
     std::array<char, 32> digits;
@@ -44,10 +40,15 @@ class FrameList {
       file_.clear();
       put(tail_);
       std::error_code ignored;
-      fs::resize_file(path_, end_ + tail_.size(), ignored);
+      fs::resize_file(path_, end() + tail_.size(), ignored);
       refuse(reason);
     }
-    end_ += entry.size();
+    entries_ += entry;
+  }
+
+  void archive(StateArchive& archive) {
+    archive(entries_);
+    if (archive.reads()) write();
   }
 
  private:
@@ -55,13 +56,19 @@ class FrameList {
     throw FileError{path_.string() + ": cannot be written (" + reason +
                     "). Check the folder's rights and the disk space."};
   }
-  void put(const std::string& text) { (file_.seekp(static_cast<std::streamoff>(end_)) << text).flush(); }
+  void write() {
+    write_file(path_, head_ + entries_ + tail_);
+    file_ = std::fstream{path_, std::ios::in | std::ios::out};
+    if (!file_) refuse(std::strerror(errno));
+  }
+  void put(const std::string& text) { (file_.seekp(static_cast<std::streamoff>(end())) << text).flush(); }
+  [[nodiscard]] std::size_t end() const { return head_.size() + entries_.size(); }
 
   const std::string head_ = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\">\n<Collection>\n";
   const std::string tail_ = "</Collection>\n</VTKFile>\n";
   fs::path path_;
   std::fstream file_;
-  std::size_t end_ = head_.size();  // of the entries, bytes
+  std::string entries_;  // so far
 };
 
 fs::path made_folder(const fs::path& folder) {
@@ -98,6 +105,8 @@ void FrameRecorder::start(const StepView& view) { write(view); }
 void FrameRecorder::step(const StepView& view) {
   if (view.on_grid && view.state.time() >= next_ * (1.0 - 1e-12)) write(view);
 }
+
+void FrameRecorder::archive(StateArchive& archive) { archive(next_, files_->count, files_->list); }
 
 void FrameRecorder::write(const StepView& view) {
   const double time = view.state.time();

@@ -35,6 +35,8 @@ class FrameRecorder final : public StepObserver {
 
   void start(const StepView& view) override;
   void step(const StepView& view) override;
+  /// Reads the list of frames; the frames themselves lie in the folder.
+  void archive(StateArchive& archive) override;
 
  private:
   void write(const StepView& view);

@@ -12,15 +12,52 @@
 namespace moat {
 namespace {
 
-Chart history_chart(const Column& time, const std::vector<const Column*>& columns) {
+using Rows = std::vector<std::size_t>;
+
+Rows every_row(std::size_t rows, std::size_t stride) {
+  Rows chosen;
+  for (std::size_t row = 0; row < rows; row += stride) chosen.push_back(row);
+  return chosen;
+}
+
+/// The rows of a picture. Of long histories they are the first and the last one, and of many equal pieces of time those
+/// where a curve is smallest or largest, so that charts take little memory beside the histories.
+Rows rows_of_picture(const std::vector<const Column*>& columns) {
+  constexpr std::size_t pieces = most_rows_of_charts / 8;
+  const std::size_t rows = columns.front()->values.size(), length = rows / pieces + 1;
+  if (rows <= most_rows_of_charts) return every_row(rows, 1);
+  std::set<std::size_t> chosen{0, rows - 1};
+  for (const Column* column : columns)
+    for (std::size_t begin = 0; begin < rows; begin += length) {
+      const auto first = column->values.begin();
+      const auto [lowest, highest] =
+          std::minmax_element(first + static_cast<std::ptrdiff_t>(begin),
+                              first + static_cast<std::ptrdiff_t>(std::min(begin + length, rows)));
+      chosen.insert({static_cast<std::size_t>(lowest - first), static_cast<std::size_t>(highest - first)});
+    }
+  return {chosen.begin(), chosen.end()};
+}
+
+std::vector<double> values_at(const Rows& rows, const std::vector<double>& values, double factor = 1.0) {
+  std::vector<double> picked;
+  for (const std::size_t row : rows) picked.push_back(factor * values[row]);
+  return picked;
+}
+
+std::vector<double> in_engineering_unit_at(const Rows& rows, const Column& column) {
+  return values_at(rows, column.values, engineering_unit(column.unit).per_si);
+}
+
+Chart history_chart(const Column& time, const std::vector<const Column*>& columns, std::size_t stride) {
   const Column& first = *columns.front();
+  const Rows rows = stride > 0 ? every_row(time.values.size(), stride) : rows_of_picture(columns);
   Chart chart{.title = capitalised(in_words(first.quantity)),
               .x_label = "time [s]",
               .y_label = axis_label(first.quantity, first.unit),
               .x_range = std::pair{time.values.front(), time.values.back()},
               .second_unit = second_scale(first.unit)};
   for (const Column* column : columns)
-    chart.series.push_back({column->where, time.values, in_engineering_unit(*column)});
+    chart.series.push_back({column->where, values_at(rows, time.values), in_engineering_unit_at(rows, *column)});
   return chart;
 }
 
@@ -48,7 +85,7 @@ std::vector<const Column*> impact_forces(const Table& table) {
 
 }  // namespace
 
-std::vector<Chart> history_charts(const CaseResult& result) {
+std::vector<Chart> history_charts(const CaseResult& result, std::size_t stride) {
   const Table& table = result.histories;
   require_equal_lengths(table);
   const Column* time = column_of(table, "time", "");
@@ -69,7 +106,7 @@ std::vector<Chart> history_charts(const CaseResult& result) {
     if (offered.insert(each.quantity).second) groups.push_back(columns_of(table, each.quantity));
   for (std::vector<const Column*>& columns : groups) {
     std::erase_if(columns, [](const Column* column) { return !can_be_drawn(*column); });
-    if (!columns.empty()) charts.push_back(history_chart(*time, columns));
+    if (!columns.empty()) charts.push_back(history_chart(*time, columns, stride));
   }
   return charts;
 }
@@ -81,19 +118,27 @@ std::optional<Chart> energy_chart(const CaseResult& result) {
   const Column *time = column_of(result.histories, "time", ""), *input = energy("input");
   if (time == nullptr || time->values.size() < 2 || input == nullptr) return std::nullopt;
   Chart chart{.title = "Energy", .x_label = "time [s]", .y_label = axis_label("energy", "J")};
-  std::vector<double> below(time->values.size(), 0.0);
   // Energies that only grow lie at the bottom, those that come and go on top.
-  for (const char* name : {"hysteretic", "viscous", "impact", "friction", "strain", "kinetic"}) {
-    const Column* part = energy(name);
-    if (part == nullptr || is_zero(part)) continue;
-    const std::vector<double> values = in_engineering_unit(*part);
-    Series band{.name = name, .x = time->values, .y = below, .style = Series::Style::band};
+  std::vector<const Column*> parts;
+  for (const char* name : {"hysteretic", "viscous", "impact", "friction", "strain", "kinetic"})
+    if (const Column* part = energy(name); part != nullptr && !is_zero(part)) parts.push_back(part);
+  std::vector<const Column*> drawn = parts;
+  drawn.push_back(input);
+  const Rows rows = rows_of_picture(drawn);
+  const std::vector<double> times = values_at(rows, time->values);
+  std::vector<double> below(rows.size(), 0.0);
+  for (const Column* part : parts) {
+    const std::vector<double> values = in_engineering_unit_at(rows, *part);
+    Series band{.name = part->quantity.substr(0, part->quantity.find('_')),
+                .x = times,
+                .y = below,
+                .style = Series::Style::band};
     for (std::size_t i = 0; i < below.size(); ++i) below[i] += values[i];
-    band.x.insert(band.x.end(), time->values.rbegin(), time->values.rend());
+    band.x.insert(band.x.end(), times.rbegin(), times.rend());
     band.y.insert(band.y.end(), below.rbegin(), below.rend());
     chart.series.push_back(std::move(band));
   }
-  chart.series.push_back({.name = "input", .x = time->values, .y = in_engineering_unit(*input), .colour = 6});
+  chart.series.push_back({.name = "input", .x = times, .y = in_engineering_unit_at(rows, *input), .colour = 6});
   return chart;
 }
 

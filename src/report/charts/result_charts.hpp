@@ -17,11 +17,15 @@ inline constexpr std::size_t most_charted_buildings = 3;
 /// Impacts with a chart at most.
 inline constexpr std::size_t most_impact_loops = 12;
 
+/// Histories of up to so many rows are drawn with all of them. Of longer ones charts have the rows where a curve is
+/// smallest or largest in one of 2500 equal pieces of time, so that every peak stays.
+inline constexpr std::size_t most_rows_of_charts = 20'000;
+
 /// Displacement and absolute acceleration of base and top of up to three buildings, and the forces of gaps that
 /// closed (of more than seven the largest), over time: those of them whose columns `result.histories` holds. The last
-/// node where the model has no building. Then a chart for every quantity that recorders offered. Throws InputError
-/// where columns differ in length.
-std::vector<Chart> history_charts(const CaseResult& result);
+/// node where the model has no building. Then a chart for every quantity that recorders offered. stride > 0: every
+/// stride-th row; 0: those of a picture (most_rows_of_charts). Throws InputError where columns differ in length.
+std::vector<Chart> history_charts(const CaseResult& result, std::size_t stride = 0);
 
 /// A chart for each quantity that the floors or storeys of a building have peaks of: displacement, drift, absolute
 /// acceleration and storey shear; in plan their resultants, the drift at the corners. A curve for each of up to three

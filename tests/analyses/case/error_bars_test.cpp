@@ -256,6 +256,14 @@ TEST(EstimateErrors, PromisesNoMoreThanTheToleranceWhereBendsAreNotLocated) {
   EXPECT_EQ(least_share_of_errors(Oscillator::model(), {}), 0.0);
 }
 
+TEST(EstimateErrors, OfAClearanceAreSharesOfTheApproach) {
+  PeaksAndImpacts main;
+  main.clearances = {{.where = "gap", .clearance = 0.2, .left = 0.05}};
+  const PeaksAndImpacts companion = main;
+  estimate_clearance_errors(main, companion, 1e-3);
+  EXPECT_NEAR(main.clearances[0].error, 1e-3 * (0.2 - 0.05), 1e-8);
+}
+
 TEST(EstimateErrors, LeavesNoErrorToAForceThatNeitherRunHas) {
   const auto [bars, peaks] = estimate({{"displacement", 1.0, 1.001}, {"indentation", 0.0, 0.0}});
   EXPECT_EQ(peaks[1].error, 0.0);

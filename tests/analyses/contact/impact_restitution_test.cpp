@@ -7,6 +7,7 @@
 
 #include "analyses/case/case_run.hpp"
 #include "analysis_testing.hpp"
+#include "collision.hpp"
 #include "elements/contact/gap.hpp"
 #include "impact_cases.hpp"
 
@@ -15,38 +16,6 @@ namespace {
 
 using namespace units;
 using namespace testing;
-
-struct Collision {
-  double left_mass, right_mass;  // kg
-  double approach_speed;         // m/s
-  double phase = 0.37;           // of arrival, in intervals of the motion
-
-  [[nodiscard]] double effective_mass() const { return left_mass * right_mass / (left_mass + right_mass); }
-};
-
-// Restitution in the impact of two free bodies; the ground is still and sampled at a quarter of the contact.
-template <class Law>
-double delivered(const Law& law, const Collision& collision, const TransientOptions& options = {}) {
-  const double effective_mass = collision.effective_mass();
-  const double interval = 0.25 * law.between(effective_mass).contact_duration(effective_mass, collision.approach_speed);
-  Model model;
-  const NodeId left = add(model, Node{.name = "left",
-                                      .mass = collision.left_mass * kg,
-                                      .initial_velocity = 0.75 * collision.approach_speed * m / s});
-  const NodeId right = add(model, Node{.name = "right",
-                                       .mass = collision.right_mass * kg,
-                                       .initial_velocity = -0.25 * collision.approach_speed * m / s});
-  const double clearance = (3.0 + collision.phase) * interval * collision.approach_speed;
-  add(model, Gap<Law>{.name = "gap", .left = left, .right = right, .clearance = clearance * m, .law = law});
-  Transient analysis{model, still_ground(4000 * interval * s, interval * s), options};
-  ImpactRecorder impacts;
-  analysis.attach(impacts);
-  while (!analysis.finished() && (impacts.impacts().empty() || impacts.impacts().front().duration == 0.0))
-    analysis.advance();
-  if (impacts.impacts().size() != 1) return std::nan("");
-  EXPECT_NEAR(impacts.impacts().front().approach_speed, collision.approach_speed, 1e-9 * collision.approach_speed);
-  return impacts.impacts().front().rebound_ratio;
-}
 
 const std::vector<double> restitutions{0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.65, 0.8, 0.9, 0.97, 1.0};
 const std::vector<Collision> collisions{

@@ -57,6 +57,20 @@ TEST(PlanModes, PeriodsOfAnEccentricSlabAreExact) {
   }
 }
 
+// A mass that moves along x alone has no part in motion along y.
+TEST(PlanModes, ParticipationIsThatOfTheMassInItsDirection) {
+  Model model = slab(0.0);
+  const NodeId cart = add(model, Node{.name = "cart", .mass = 0.5e6 * kg, .direction = PlanVector{1.0, 0.0}});
+  add(model, ShearSpring{.name = "buffer", .lower = ground, .upper = cart, .stiffness = 50 * MN / m});
+  double x = 0.0, y = 0.0;
+  for (const PlanMode& mode : plan_modes(model, StiffnessStage::initial, 4)) {
+    x += mode.participation_x;
+    y += mode.participation_y;
+  }
+  EXPECT_NEAR(x, 1.0, 1e-12);
+  EXPECT_NEAR(y, 1.0, 1e-12);
+}
+
 TEST(PlanModes, BadInputIsRefused) {
   Model line;
   add(line, Node{.name = "node", .mass = 1 * kg});

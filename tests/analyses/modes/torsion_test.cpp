@@ -24,8 +24,9 @@ TEST(Torsion, AmplificationIsThatOfTheCode) {
   EXPECT_NEAR(amplification.of_formula, 1.073529, 1e-6);
   EXPECT_EQ(amplification.of_code, 1.15);
   EXPECT_EQ(torsional_period_ratio({{}}, r * m), 1.0);
-  EXPECT_EQ(message_of([&] { (void)torsional_amplification(1 * m, 1 * m, 1 * m, 1 * m, 0.5); }),
-            "torsional_amplification: period_ratio = 0.5 is not allowed; it must be >= 1.");
+  EXPECT_EQ(
+      message_of([&] { (void)torsional_amplification(1 * m, 1 * m, 1 * m, 1 * m, 0.5); }),
+      "torsional_amplification: period_ratio = 0.5 is not allowed; it must be >= 1. Give a number in this range.");
 }
 
 PlanBuilding building() {

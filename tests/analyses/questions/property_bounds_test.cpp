@@ -64,10 +64,11 @@ TEST(PropertyBounds, RunsAllThreeAndEnvelopesTheirPeaks) {
 }
 
 TEST(PropertyBounds, RefusesFactorsOnTheWrongSide) {
-  EXPECT_EQ(message_of([&] {
-              run_bounds({.lower = {1.1, 0.9}, .upper = {1.5, 1.2}}, building, motion);
-            }),
-            "PropertyBounds: lower.strength = 1.1 is not allowed; it must be > 0 and <= 1.");
+  EXPECT_EQ(
+      message_of([&] {
+        run_bounds({.lower = {1.1, 0.9}, .upper = {1.5, 1.2}}, building, motion);
+      }),
+      "PropertyBounds: lower.strength = 1.1 is not allowed; it must be > 0 and <= 1. Give a number in this range.");
   EXPECT_EQ(message_of([&] {
               run_bounds({.lower = {0.9, 0.9}, .upper = {0.5, 1.2}}, building, motion);
             }),

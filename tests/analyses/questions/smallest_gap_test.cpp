@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "message_of.hpp"
 
@@ -34,6 +35,29 @@ TEST(SmallestGap, IsFoundWhereTheMotionDependsOnTheGap) {
       EXPECT_GT(gap.si(), root) << power << " " << root;
       EXPECT_LE(gap.si(), root + 1.01e-5) << power << " " << root;
     }
+}
+
+TEST(SmallestGap, TriesNoGapOfWhichTheAnswerIsKnown) {
+  std::vector<double> tried;
+  const auto tries = [&](const auto& left, const GapSearch& search) {
+    tried.clear();
+    return smallest_gap(
+               [&](Length gap) {
+                 tried.push_back(gap.si());
+                 return Length{left(gap.si())};
+               },
+               search)
+        .gap.si();
+  };
+  // 10 cm are closed. 20 cm have 15 cm left, so that the first guess of 5 cm is too small.
+  const double root = tries([](double gap) { return gap > 0.15 ? gap - 0.05 : -0.01; }, {.first = 10 * cm});
+  EXPECT_GT(root, 0.15);
+  EXPECT_LE(root, 0.15 + 1e-5);
+  EXPECT_EQ((std::vector{tried[0], tried[1]}), (std::vector{0.1, 0.2}));
+  EXPECT_TRUE(std::all_of(tried.begin() + 2, tried.end(), [](double gap) { return gap >= 0.1 && gap <= 0.2; }));
+  // 10 cm have less left than the margin of the first guess, which is then larger than 10 cm.
+  EXPECT_NEAR(tries([](double gap) { return gap - 0.1 + 1e-6; }, {.first = 10 * cm}), 0.1, 1e-5);
+  EXPECT_EQ(*std::ranges::max_element(tried), 0.1);
 }
 
 TEST(SmallestGap, SaysThatEvenTheLargestIsClosed) {

@@ -158,6 +158,15 @@ TEST(RecordAxis, KnowsTheSamplesOfMotionsMadeInTheProgram) {
       east_changed{"e", 0.1, {0.0, 1.0}, {}, {"/e", "3"}};
   EXPECT_NE(record_axis("pair", std::vector{PlanMotion{north, east, {}}}).hashes,
             record_axis("pair", std::vector{PlanMotion{north, east_changed, {}}}).hashes);
+  // Scale, and the incidence of a pair, are not in the files.
+  EXPECT_NE(record_axis("record", std::vector{north}).hashes,
+            record_axis("record", std::vector{north.scaled_by(2.0)}).hashes);
+  EXPECT_NE(record_axis("pair", std::vector{PlanMotion{north, east, {}}}).hashes,
+            record_axis("pair", std::vector{PlanMotion{north, east.scaled_by(2.0), {}}}).hashes);
+  PlanMotion turned{north, east, {}};
+  turned.incidence = 30 * deg;
+  EXPECT_NE(record_axis("pair", std::vector{PlanMotion{north, east, {}}}).hashes,
+            record_axis("pair", std::vector{turned}).hashes);
 }
 
 TEST(Study, RefusesNamesItDoesNotKnow) {
@@ -169,7 +178,8 @@ TEST(Study, RefusesNamesItDoesNotKnow) {
   EXPECT_EQ(message_of<InputError>([&] { (void)result.values("drift", "storey 1"); }),
             "The study has no result \"drift\" of \"storey 1\".");
   EXPECT_EQ(message_of<InputError>([] { (void)value_of(StudyRecord{}, "drift", "storey 9"); }),
-            "There is no result \"drift\" of \"storey 9\".");
+            "There is no result \"drift\" of \"storey 9\". Give quantity and place as the table of results "
+            "writes them.");
   // An axis is not a result.
   EXPECT_NE(message_of<InputError>([&] { (void)result.values("gap", ""); }), "nothing was thrown");
 }
@@ -352,6 +362,20 @@ TEST(Study, ComputesAPartAlone) {
   EXPECT_TRUE(std::isnan(part.values("sum", "")[3]));
   EXPECT_THROW((void)run_study(two_axes, sum, {.part = {{3, 3}}}), InputError);
   EXPECT_THROW((void)run_study(two_axes, sum, {.part = {{3, 7}}}), InputError);
+}
+
+TEST(Study, CountsTheCasesThatFailedInItsProgress) {
+  std::vector<std::size_t> failed;
+  run_study(two_axes,
+            [](const StudyCase& each) {
+              if (each.number() == 1) throw ConvergenceError{"stuck", 1.0, 0.1, 1.0, "x"};
+              if (each.number() == 4) throw InputError{"wrong"};
+              return sum(each);
+            },
+            {.threads = 1,
+             .progress = [&](const StudyProgress& now) { failed.push_back(now.failed); },
+             .keep_failures = true});
+  EXPECT_EQ(failed, (std::vector<std::size_t>{0, 1, 1, 1, 2, 2}));
 }
 
 TEST(Study, KnowsCasesThatDoNotConverge) {

@@ -35,6 +35,12 @@ TEST(VainCuts, DoNotStopTheAnalysis) {
   while (!analysis.finished() && analysis.statistics().accepted_steps < most_steps) analysis.advance();
   EXPECT_TRUE(analysis.finished());
   EXPECT_EQ(analysis.statistics().events, 0);
+  // A warning says so.
+  const long passed = analysis.statistics().passed_changes;
+  EXPECT_GT(passed, 0);
+  ASSERT_EQ(analysis.warnings().size(), 1U);
+  EXPECT_TRUE(analysis.warnings()[0].starts_with(std::to_string(passed) + " change"));
+  EXPECT_NE(analysis.warnings()[0].find("could not be located"), std::string::npos);
 }
 
 }  // namespace

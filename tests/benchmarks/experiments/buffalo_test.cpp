@@ -116,13 +116,16 @@ TEST(BuffaloMeasurements, AreMetByTheIdentifiedModel) {
   const std::map<std::string, double> peaks{
       {"fpgm111s1", 0.74}, {"fpgm111s2", 2.25}, {"fpgm152s1", 1.07}, {"fpgm152s2", 2.58}, {"fpgm162s1", 1.18},
       {"fpgm162s3", 2.60}, {"fpgm171s1", 2.04}, {"fpgm171s2", 4.07}, {"fpgm172s1", 0.67}, {"fpgm172s2", 1.71}};
+  std::size_t compared = 0;
   for (const BuffaloTest& test : read_buffalo_tests(folder)) {
     const auto known = peaks.find(test.name);
     if (known == peaks.end()) continue;
+    ++compared;
     const double measured = largest(test.measured.isolators);
     EXPECT_NEAR(measured / inch, known->second, 0.011) << test.name;
     EXPECT_NEAR(largest(computed(test, {}, {}).isolators) / measured, 1.0, 0.15) << test.name;
   }
+  EXPECT_EQ(compared, peaks.size());
 }
 
 }  // namespace

@@ -42,5 +42,13 @@ TEST_F(Experiments, SayWhatIsSkippedWithoutTheirFolders) {
   }
 }
 
+TEST_F(Experiments, WriteNoDocumentsWithoutOpenSees) {
+  const testing::ProgramResult run = testing::run_program(
+      "/usr/bin/env", {"-u", "OPENSEES", "-u", "MOAT_EXPERIMENTS", "PATH=", MOAT_EXPERIMENTS_PROGRAM, "--write-docs"},
+      folder);
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.errors.find("--write-docs needs OpenSees (OPENSEES)"), std::string::npos) << run.errors;
+}
+
 }  // namespace
 }  // namespace moat::experiments

@@ -193,13 +193,17 @@ TEST(BearingCapacities, MustBePositive) {
             not_positive("pressure_speed_capacity", unit_symbol<Quantity<1, 0, -3>>()));
   EXPECT_EQ(refusal({.stroke = 0 * m}), not_positive("stroke", "m"));
   EXPECT_EQ(refusal({.force_capacity = 0 * N}), not_positive("force_capacity", "N"));
-  EXPECT_EQ(refusal({.static_displacement = -1 * m}), not_allowed("static_displacement = -1", ">= 0", " m"));
-  EXPECT_EQ(refusal({.static_rotation_x = -0.5}), not_allowed("static_rotation_x = -0.5", ">= 0", ""));
-  EXPECT_EQ(refusal({.static_rotation_y = -0.5}), not_allowed("static_rotation_y = -0.5", ">= 0", ""));
+  EXPECT_EQ(refusal({.static_displacement = -1 * m}),
+            not_allowed("static_displacement = -1", ">= 0", " m") + " Check its sign and its unit.");
+  EXPECT_EQ(refusal({.static_rotation_x = -0.5}),
+            not_allowed("static_rotation_x = -0.5", ">= 0", "") + " Give a number in this range.");
+  EXPECT_EQ(refusal({.static_rotation_y = -0.5}),
+            not_allowed("static_rotation_y = -0.5", ">= 0", "") + " Give a number in this range.");
   RubberBearing bad = rubber;
   bad.shear_modulus = 0 * Pa;
   EXPECT_EQ(refusal({.rubber = bad}),
-            "BearingCapacities \"LRB700\": shear_modulus = 0 Pa is not allowed; it must be > 0 Pa and finite.");
+            "BearingCapacities \"LRB700\": shear_modulus = 0 Pa is not allowed; it must be > 0 Pa and finite. Check "
+            "its sign and its unit.");
 }
 
 }  // namespace

@@ -68,27 +68,30 @@ TEST(Recentring, RefusesBadInput) {
   };
   const std::string object = "restoring_checks: ";
   EXPECT_EQ(refusal([](auto& b) { b.strength = -1 * N; }),
-            object + "strength = -1 N is not allowed; it must be >= 0 N and finite.");
+            object + "strength = -1 N is not allowed; it must be >= 0 N and finite. Check its sign and its unit.");
   EXPECT_EQ(refusal([](auto& b) { b.restoring_stiffness = 0 * N / m; }),
             object +
                 "restoring_stiffness = 0 N/m is not allowed; it must be > 0 N/m and finite. Isolators without one "
                 "do not come back.");
   EXPECT_EQ(refusal([](auto& b) { b.weight = 0 * N; }),
-            object + "weight = 0 N is not allowed; it must be > 0 N and finite.");
+            object + "weight = 0 N is not allowed; it must be > 0 N and finite. Check its sign and its unit.");
   EXPECT_EQ(message_of([] { (void)restoring_checks(pendulum(), 0 * m); }),
             object + "displacement = 0 m is not allowed; it must be > 0 m and finite. Give the design displacement.");
   const auto of_rho = [](double d, double d_y, double d_r, double d_0) {
     return message_of([&] { (void)displacement_demand_en_1998_2(d_0 * m, d * m, d_y * m, d_r * m); });
   };
   EXPECT_EQ(of_rho(0.1, 0.0, 0.2, 0.0),
-            "accumulation_en_1998_2: yield_displacement = 0 m is not allowed; it must be > 0 m and finite.");
+            "accumulation_en_1998_2: yield_displacement = 0 m is not allowed; it must be > 0 m and finite. Check its "
+            "sign and its unit.");
   EXPECT_EQ(of_rho(0.1, 0.001, 0.0, 0.0),
-            "accumulation_en_1998_2: stuck_displacement = 0 m is not allowed; it must be > 0 m and finite.");
+            "accumulation_en_1998_2: stuck_displacement = 0 m is not allowed; it must be > 0 m and finite. Check its "
+            "sign and its unit.");
   EXPECT_EQ(of_rho(0.1, 0.2, 0.2, 0.0),
             "accumulation_en_1998_2: displacement = 0.1 m is not allowed; it must be >= yield_displacement and "
-            "finite.");
+            "finite. Check its sign and its unit.");
   EXPECT_EQ(of_rho(0.1, 0.001, 0.2, -0.1),
-            "displacement_demand_en_1998_2: offset = -0.1 m is not allowed; it must be >= 0 m and finite.");
+            "displacement_demand_en_1998_2: offset = -0.1 m is not allowed; it must be >= 0 m and finite. Check its "
+            "sign and its unit.");
 }
 
 }  // namespace

@@ -100,7 +100,8 @@ TEST(RubberBearing, RefusesBadGeometry) {
   EXPECT_EQ(refusal(round, [](auto& b) { b.diameter = {}; }), one_form);
   EXPECT_EQ(refusal(round, [](auto& b) { b.width_y = 1 * m; }), one_form);
   const auto not_positive = [&](const std::string& value, const std::string& unit) {
-    return object + value + " " + unit + " is not allowed; it must be > 0 " + unit + " and finite.";
+    return object + value + " " + unit + " is not allowed; it must be > 0 " + unit +
+           " and finite. Check its sign and its unit.";
   };
   EXPECT_EQ(refusal(round, [](auto& b) { b.diameter = -1 * m; }), not_positive("diameter = -1", "m"));
   EXPECT_EQ(refusal(square, [](auto& b) { b.width_x = {}; }), not_positive("width_x = 0", "m"));

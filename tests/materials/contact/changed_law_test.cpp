@@ -14,11 +14,6 @@ namespace {
 
 using namespace units;
 
-double parameter(const std::vector<Parameter>& list, std::string_view name) {
-  const auto found = std::ranges::find(list, name, &Parameter::name);
-  return found == list.end() ? -1.0 : found->value;
-}
-
 TEST(ChangedLaw, OfMoatHasItsStiffnessAndRestitutionChangedAndNothingElse) {
   AllImpactLaws::for_each([]<class Law>() {
     SCOPED_TRACE(Law::name);
@@ -34,7 +29,8 @@ TEST(ChangedLaw, OfMoatHasItsStiffnessAndRestitutionChangedAndNothingElse) {
           << before[i].name;
     }
     EXPECT_EQ(with_restitution_change(with_stiffness_factor(law, 1.0), 0.0).parameters(), before);
-    const bool elastic = parameter(before, "restitution") < 0.0 && parameter(before, "damping_ratio") < 0.0;
+    const bool elastic =
+        parameter_of(before, "restitution", -1.0) < 0.0 && parameter_of(before, "damping_ratio", -1.0) < 0.0;
     EXPECT_EQ(restitution_of_law(law).has_value(), !elastic);
   });
 }
@@ -80,9 +76,10 @@ TEST(ChangedLaw, ChosenByNameHasARestitutionOnlyWhereItsLawHas) {
   };
   EXPECT_FALSE(restitution_of_law(named("hertz")).has_value());
   EXPECT_EQ(restitution_of_law(named("hertz_damp")), 0.65);
-  EXPECT_EQ(parameter(with_stiffness_factor(named("hertz"), 2.0).parameters(), "stiffness"), 5.9e9);
-  EXPECT_EQ(parameter(with_stiffness_factor(named("kelvin"), 2.0).parameters(), "stiffness"), 1.16e9);
-  EXPECT_NEAR(parameter(with_restitution_change(named("kelvin"), 0.1).parameters(), "restitution"), 0.75, 1e-15);
+  EXPECT_EQ(parameter_of(with_stiffness_factor(named("hertz"), 2.0).parameters(), "stiffness", -1.0), 5.9e9);
+  EXPECT_EQ(parameter_of(with_stiffness_factor(named("kelvin"), 2.0).parameters(), "stiffness", -1.0), 1.16e9);
+  EXPECT_NEAR(parameter_of(with_restitution_change(named("kelvin"), 0.1).parameters(), "restitution", -1.0), 0.75,
+              1e-15);
 }
 
 // Laws of a script: plain numbers, quantities, and neither.

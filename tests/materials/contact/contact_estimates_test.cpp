@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "materials/impact/exact_hertz_damp.hpp"
 #include "materials/soil/hyperbolic_backfill.hpp"
 #include "message_of.hpp"
 
@@ -63,6 +64,12 @@ TEST(ContactEstimates, SlabEdgeIsAQuarterOfSpheres) {
   EXPECT_NEAR(plane / 4.031634082e10, 1.0, 1e-9);
   EXPECT_NEAR(pair / 2.245354575e10, 1.0, 1e-9);
   expect_estimate(contact_stiffness_of_slab_edge({.mass = 550 * tonne}), plane / 4.0, plane / 10.0, plane);
+  // docs/how-to/contact_stiffness_and_restitution.md: the default, and that of Zhao, Liu & Li (2017), 8 to 14 times
+  // below.
+  const double mean = std::pow(2.95e9 * 2.87e9 * 4.29e9 * 1.26e10 * 2.75e10 * plane * pair, 1.0 / 7.0);
+  EXPECT_NEAR(mean / ExactHertzDamp::typical().stiffness.si(), 1.0, 0.05);
+  EXPECT_NEAR(pair / 2.95e9, 8.0, 0.5);
+  EXPECT_NEAR(plane / 2.95e9, 14.0, 0.5);
   expect_estimate(contact_stiffness_of_slab_edge({.mass = 550 * tonne, .wall_mass = 50 * tonne}), pair / 4.0,
                   pair / 10.0, pair);
   // With h = (1 - nu^2)/(pi E): k = 4/(3 pi (h_1 + h_2)) sqrt(R), also for two materials.
@@ -117,28 +124,41 @@ TEST(ContactEstimates, RefuseBadInputByName) {
   EXPECT_EQ(slab_message([](SlabAlongHit& here) { here.contact_width = 25 * m; }),
             "axial_stiffness_of_slab: contact_width = 25 m is not allowed; it must be > 0 m and <= width = 20 m. Leave "
             "it out for the whole edge.");
+  // At 45 degrees the load reaches 1 m + 2 x 5 m.
+  EXPECT_EQ(
+      slab_message([](SlabAlongHit& here) {
+        here.length = 5 * m;
+        here.contact_width = 1 * m;
+      }),
+      "axial_stiffness_of_slab: contact_width = 1 m is not allowed; it must be >= width - 2 length = 10 m. The load "
+      "spreads at 45 degrees, and reaches this width alone: give a smaller width.");
   EXPECT_EQ(slab_message([](SlabAlongHit& here) { here.thickness = -1 * m; }),
-            "axial_stiffness_of_slab: thickness = -1 m is not allowed; it must be > 0 m and finite.");
+            "axial_stiffness_of_slab: thickness = -1 m is not allowed; it must be > 0 m and finite. Check its sign and "
+            "its unit.");
   EXPECT_EQ(slab_message([](SlabAlongHit& here) { here.length = 0 * m; }),
-            "axial_stiffness_of_slab: length = 0 m is not allowed; it must be > 0 m and finite.");
-  EXPECT_EQ(slab_message([](SlabAlongHit& here) { here.width = 0 * m; }),
-            "axial_stiffness_of_slab: width = 0 m is not allowed; it must be > 0 m and finite.");
+            "axial_stiffness_of_slab: length = 0 m is not allowed; it must be > 0 m and finite. Check its sign and its "
+            "unit.");
+  EXPECT_EQ(
+      slab_message([](SlabAlongHit& here) { here.width = 0 * m; }),
+      "axial_stiffness_of_slab: width = 0 m is not allowed; it must be > 0 m and finite. Check its sign and its unit.");
   EXPECT_EQ(slab_message([](SlabAlongHit& here) { here.material.youngs_modulus = 0 * GPa; }),
             "axial_stiffness_of_slab: youngs_modulus = 0 Pa is not allowed; it must be > 0 Pa and "
-            "finite.");
+            "finite. Check its sign and its unit.");
   EXPECT_EQ(
       slab_message([](SlabAlongHit& here) { here.material.poissons_ratio = 0.5; }),
       "axial_stiffness_of_slab: poissons_ratio = 0.5 is not allowed; it must be >= 0 and < 0.5. Concrete has about "
       "0.2.");
   EXPECT_EQ(message_of([] { wave_return_time({.length = 0 * m, .width = 1 * m, .thickness = 1 * m}); }),
-            "wave_return_time: length = 0 m is not allowed; it must be > 0 m and finite.");
+            "wave_return_time: length = 0 m is not allowed; it must be > 0 m and finite. Check its sign and its unit.");
   EXPECT_EQ(message_of([] { contact_stiffness_of_slab_edge({.mass = 0 * kg}); }),
-            "contact_stiffness_of_slab_edge: mass = 0 kg is not allowed; it must be > 0 kg and finite.");
+            "contact_stiffness_of_slab_edge: mass = 0 kg is not allowed; it must be > 0 kg and finite. Check its sign "
+            "and its unit.");
   EXPECT_EQ(message_of([] { contact_stiffness_of_slab_edge({.mass = 1 * kg, .wall_mass = -1 * kg}); }),
             "contact_stiffness_of_slab_edge: wall_mass = -1 kg is not allowed; it must be >= 0 kg and finite. Leave it "
             "out for a plane wall.");
   EXPECT_EQ(message_of([] { contact_stiffness_of_vertical_edge({.thickness = 0 * m}); }),
-            "contact_stiffness_of_vertical_edge: thickness = 0 m is not allowed; it must be > 0 m and finite.");
+            "contact_stiffness_of_vertical_edge: thickness = 0 m is not allowed; it must be > 0 m and finite. Check "
+            "its sign and its unit.");
   const auto column_message = [](auto change) {
     return message_of([&] {
       ColumnHit column{.height = 3 * m, .depth = 50 * cm, .width = 50 * cm};
@@ -154,11 +174,13 @@ TEST(ContactEstimates, RefuseBadInputByName) {
             "stiffness_of_column_hit: cracked_share = 0 is not allowed; it must be > 0 and <= 1. 0.3 to 0.5 where "
             "concrete has cracked.");
   EXPECT_EQ(column_message([](ColumnHit& column) { column.count = 0; }),
-            "stiffness_of_column_hit: count = 0 is not allowed; it must be >= 1.");
+            "stiffness_of_column_hit: count = 0 is not allowed; it must be >= 1. Give a number in this range.");
   EXPECT_EQ(message_of([] { effective_wall_width({.contact_width = 3 * m, .height = 1 * m, .width = 2 * m}); }),
-            "effective_wall_width: contact_width = 3 m is not allowed; it must be > 0 m and <= width = 2 m.");
+            "effective_wall_width: contact_width = 3 m is not allowed; it must be > 0 m and <= width = 2 m. Check its "
+            "sign and its unit.");
   EXPECT_EQ(message_of([] { HyperbolicBackfill::behind({.height = 0 * m, .width = 2 * m}); }),
-            "HyperbolicBackfill::behind: height = 0 m is not allowed; it must be > 0 m and finite.");
+            "HyperbolicBackfill::behind: height = 0 m is not allowed; it must be > 0 m and finite. Check its sign and "
+            "its unit.");
 }
 
 }  // namespace

@@ -75,13 +75,15 @@ TEST(EquivalentStiffness, RefusesBadInputByName) {
   EXPECT_EQ(message_of([&] { in_series(hertz, 1 * GN / m, still); }), "in_series: " + advice);
   EXPECT_EQ(message_of([&] { duration_of_free_impact(hertz, still); }), "duration_of_free_impact: " + advice);
   EXPECT_EQ(message_of([&] { linear_stiffness({}, approach); }),
-            "linear_stiffness: stiffness = 0 N/m^1.5 is not allowed; it must be > 0 N/m^1.5 and finite.");
-  EXPECT_EQ(message_of([&] { in_series({}, 1 * GN / m, approach); }),
-            "in_series: local = 0 N/m^1.5 is not allowed; it must be > 0 N/m^1.5 and finite.");
+            "linear_stiffness: stiffness = 0 N/m^1.5 is not allowed; it must be > 0 N/m^1.5 and finite. Check its sign "
+            "and its unit.");
+  EXPECT_EQ(
+      message_of([&] { in_series({}, 1 * GN / m, approach); }),
+      "in_series: local = 0 N/m^1.5 is not allowed; it must be > 0 N/m^1.5 and finite. Check its sign and its unit.");
   EXPECT_EQ(message_of([&] { in_series(hertz, {}, approach); }),
-            "in_series: behind = 0 N/m is not allowed; it must be > 0 N/m and finite.");
+            "in_series: behind = 0 N/m is not allowed; it must be > 0 N/m and finite. Check its sign and its unit.");
   EXPECT_EQ(message_of([&] { linear_stiffness(hertz, {.mass = 0 * kg, .speed = 1 * m / s}); }),
-            "linear_stiffness: mass = 0 kg is not allowed; it must be > 0 kg and finite.");
+            "linear_stiffness: mass = 0 kg is not allowed; it must be > 0 kg and finite. Check its sign and its unit.");
 }
 
 }  // namespace

@@ -53,6 +53,24 @@ TEST(FreeImpact, DeliversWhatTheLimitsOfTheLawsSay) {
   EXPECT_GE(stated, 5);
 }
 
+/// The numbers of docs/reference/impact_laws.md. At a speed below 1e-4 m/s, z of e = 0.5 is smaller in proportion.
+TEST(FreeImpact, DeliversWhatTheReferenceSays) {
+  const HertzDamp published{.stiffness = 2.95e9 * units::N / units::m_3_2, .restitution = 0.65};
+  EXPECT_NEAR(delivered_restitution(published.between(500e3), 500e3, 0.5), 0.774819, 5e-7);
+  const ExactHertzDamp exact{.stiffness = 1e10 * units::N / units::m_3_2, .restitution = 0.5};
+  for (const auto& [speed, e] : {std::pair{5e-5, 0.673}, {1e-6, 0.991}}) {
+    EXPECT_NEAR(delivered_restitution(exact.between(5.5e5), 5.5e5, speed), e, 5e-4) << speed;
+    // ln((1 + z)/(1 - z e)) = z (1 + e) with z = 1.4327505 at e = 0.5.
+    const double z = 1.4327505 * speed / 1e-4;
+    EXPECT_NEAR(std::log((1.0 + z) / (1.0 - z * e)), z * (1.0 + e), 1e-3 * z) << speed;
+  }
+  for (const auto& [e, delivered] : {std::pair{0.80, 0.719}, {0.65, 0.479}, {0.40, 0.127}}) {
+    const ModifiedHertzDampPrinted printed{
+        .stiffness = 1e9 * units::N / units::m_3_2, .restitution = e, .approach_only = false};
+    EXPECT_NEAR(delivered_restitution(printed.between(1e5), 1e5, 0.5), delivered, 5e-4) << e;
+  }
+}
+
 TEST(FreeImpact, EndsWhereTheApproachIsDampedHardAndTheWayBackIsSlow) {
   // The time scale of the dashpot is so short against the way back that a fraction of it is less than the last digit of
   // a step.

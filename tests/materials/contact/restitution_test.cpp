@@ -147,8 +147,9 @@ TEST(Restitution, RefusesBadInputByName) {
   EXPECT_EQ(message(measured), "nothing was thrown");
   EXPECT_EQ(message(FallingRestitution{.restitution = 0.005}),
             "Gap \"west\": restitution = 0.005 is not allowed; it must be from 0.01 to 1. It is that at at_speed.");
-  EXPECT_EQ(message(FallingRestitution{.at_speed = 0 * m / s}),
-            "Gap \"west\": at_speed = 0 m/s is not allowed; it must be > 0 m/s and finite.");
+  EXPECT_EQ(
+      message(FallingRestitution{.at_speed = 0 * m / s}),
+      "Gap \"west\": at_speed = 0 m/s is not allowed; it must be > 0 m/s and finite. Check its sign and its unit.");
   for (const double largest : {0.5, 1.1})
     EXPECT_EQ(message(FallingRestitution{.largest = largest}),
               "Gap \"west\": largest = " + to_text(largest) +
@@ -161,9 +162,11 @@ TEST(Restitution, RefusesBadInputByName) {
       "the impact over the speed before; 1 is elastic. The damping of this law grows without bound as it falls to "
       "zero, and no time step follows such a contact.");
   EXPECT_EQ(message(MeasuredRestitution{{{0 * m / s, 0.5}}}),
-            "Gap \"west\": points[0].speed = 0 m/s is not allowed; it must be > 0 m/s and finite.");
+            "Gap \"west\": points[0].speed = 0 m/s is not allowed; it must be > 0 m/s and finite. Check its sign and "
+            "its unit.");
   EXPECT_EQ(message(MeasuredRestitution{{{1 * m / s, 0.5}, {1 * m / s, 0.4}}}),
-            "Gap \"west\": points[1].speed = 1 m/s is not allowed; it must be > 1 m/s, the speed before it.");
+            "Gap \"west\": points[1].speed = 1 m/s is not allowed; it must be > 1 m/s, the speed before it. Check its "
+            "sign and its unit.");
   EXPECT_EQ(message(MeasuredRestitution{{{1 * m / s, 0.5}, {2 * m / s, 0.6}}}),
             "Gap \"west\": points[1].restitution = 0.6 is not allowed; it must be <= 0.5, the restitution before it. "
             "Restitution does not grow with the speed; take a mean of tests that scatter.");

@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numeric>
 #include <optional>
 
 #include "base/error.hpp"
 #include "message_of.hpp"
+#include "motions/readers/channel_parts.hpp"
 #include "motions/readers/read_motion.hpp"
 #include "motions/readers/record_channel.hpp"
 #include "network_files.hpp"
@@ -60,6 +62,16 @@ TEST_F(Networks, ReadsKnet) {
   EXPECT_EQ(channel.warnings[0], "the header says a peak of 0.375 m/s^2, the samples reach 0.42 m/s^2: damaged?");
   EXPECT_TRUE(read(replaced(knet, "37.5", "42.0"))[0].warnings.empty());
   EXPECT_EQ(read(replaced(knet, "Max. Acc. (gal)   37.5", "Max Acc. (gal)    37.5"))[0].warnings, channel.warnings);
+}
+
+// 0.42 is any number from 0.415 to 0.425.
+TEST_F(Networks, BelieveAPeakUpToHalfOfItsLastDigit) {
+  for (const double peak : {0.4155, 0.4245, 0.4145, 0.4255}) {
+    RecordChannel channel{.samples = {peak, -peak}};
+    state_peak(channel, "0.42", 1.0);
+    check_samples(channel);
+    EXPECT_EQ(channel.warnings.empty(), std::abs(peak - 0.42) < 0.005) << peak;
+  }
 }
 
 TEST_F(Networks, ReadsKikNetInTheBoreholeAndAtTheSurface) {

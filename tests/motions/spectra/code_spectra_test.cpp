@@ -178,14 +178,15 @@ TEST(CodeSpectra, RefusePeriodsOutsideTheirRange) {
             "TargetSpectrum \"EN 1998-1 type 1, ground C\": period = 12 s is not allowed; it must be from 0 s to 4 s. "
             "Set beyond_4_s, which takes annex A, to 10 s.");
   en.beyond_4_s = true;
-  EXPECT_EQ(
-      message(en, 12 * s),
-      "TargetSpectrum \"EN 1998-1 type 1, ground C\": period = 12 s is not allowed; it must be from 0 s to 10 s.");
+  EXPECT_EQ(message(en, 12 * s),
+            "TargetSpectrum \"EN 1998-1 type 1, ground C\": period = 12 s is not allowed; it must be from 0 s to 10 s. "
+            "Check its sign and its unit.");
   EXPECT_NE(
       message(Gb50011Spectrum{.alpha_max = 0.9, .characteristic_period = 0.4 * s}, 6.1 * s).find("from 0 s to 6 s"),
       std::string::npos);
   EXPECT_EQ(message(asce_7.design(), -1 * s),
-            "TargetSpectrum \"ASCE 7 design\": period = -1 s is not allowed; it must be >= 0 s.");
+            "TargetSpectrum \"ASCE 7 design\": period = -1 s is not allowed; it must be >= 0 s. Check its sign and its "
+            "unit.");
 }
 
 TEST(CodeSpectra, RefuseBadParameters) {
@@ -212,7 +213,8 @@ TEST(CodeSpectra, RefuseBadParameters) {
   EXPECT_EQ(en([](En& each) { each.damping_ratio = 5; }),
             "En1998Spectrum: damping_ratio = 5 is not allowed; it must be >= 0 and < 1. Give 5 % as 0.05.");
   EXPECT_NE(en([](En& each) { each.ground_acceleration = 30 * g; }).find("Give it as 0.3 * g."), std::string::npos);
-  EXPECT_EQ(en([](En& each) { each.type = 3; }), "En1998Spectrum: type = 3 is not allowed; it must be 1 or 2.");
+  EXPECT_EQ(en([](En& each) { each.type = 3; }),
+            "En1998Spectrum: type = 3 is not allowed; it must be 1 or 2. Give a number in this range.");
   EXPECT_EQ(en([](En& each) { each.ground = 'S'; }),
             "En1998Spectrum: its ground is not A, B, C, D or E. Give a shape for ground S1 or S2.");
   EXPECT_EQ(en([](En& each) { each.ground.reset(); }), "En1998Spectrum: the ground is missing. Give .ground = 'C'.");
@@ -222,8 +224,10 @@ TEST(CodeSpectra, RefuseBadParameters) {
     return en([&](En& each) { each.shape = En1998Shape{.soil_factor = soil, .t_b = t_b, .t_c = t_c, .t_d = 2 * s}; });
   };
   EXPECT_EQ(shape(1, 0.5 * s, 0.4 * s),
-            "En1998Spectrum: T_B, T_C, T_D = 0.5, 0.4, 2 s do not increase from above 0 s to at most 4 s.");
-  EXPECT_EQ(shape(0, 0.1 * s, 0.4 * s), "En1998Spectrum: soil_factor = 0 is not allowed; it must be > 0 and <= 10.");
+            "En1998Spectrum: T_B, T_C, T_D = 0.5, 0.4, 2 s do not increase from above 0 s to at most 4 s. "
+            "Give the corners of the national annex in their order.");
+  EXPECT_EQ(shape(0, 0.1 * s, 0.4 * s),
+            "En1998Spectrum: soil_factor = 0 is not allowed; it must be > 0 and <= 10. Give a number in this range.");
 
   const auto gb = [](double alpha_max, Time period, double ratio) {
     return message_of([&] {

@@ -149,7 +149,7 @@ TEST(PeriodsBetween, HaveEqualRatiosOfAtMostTwoPercent) {
   const std::vector<Time> close = periods_between(1 * s, 1.001 * s);
   EXPECT_EQ(close, (std::vector{1 * s, 1.001 * s})) << "both ends at least";
   EXPECT_EQ(message_of([] { (void)periods_between(3 * s, 1 * s); }),
-            "periods_between: longest = 1 s is not allowed; it must be > 3 s.");
+            "periods_between: longest = 1 s is not allowed; it must be > 3 s. Check its sign and its unit.");
 }
 
 TEST(PairSpectra, RefuseBadInput) {

@@ -34,7 +34,8 @@ TEST(SpectrumTable, IsStraightBetweenItsPoints) {
             "TargetSpectrum \"mine\": period = 12 s is not allowed; it must be from 0.01 s to 10 s. The table ends "
             "there.");
   EXPECT_EQ(message_of([&] { (void)spectrum.acceleration(0 * s); }),
-            "TargetSpectrum \"mine\": period = 0 s is not allowed; it must be from 0.01 s to 10 s.");
+            "TargetSpectrum \"mine\": period = 0 s is not allowed; it must be from 0.01 s to 10 s. Check its sign and "
+            "its unit.");
 }
 
 TEST(SpectrumTable, GoesOnToTheLongPeriodAndBeyond) {

@@ -233,7 +233,7 @@ TEST_F(ChartToSvg, RefusesWhatCannotBeDrawn) {
   EXPECT_EQ(message_of<InputError>([&] { svg_text({sine()}, 100, 400); }),
             "Chart \"" + sine().title +
                 "\": width = 100 pixels is not allowed; it must be >= 200 pixels for every "
-                "column.");
+                "column. Check its sign and its unit.");
   EXPECT_THROW(svg_text({Chart{.title = "empty", .x_label = "", .y_label = "", .series = {}}}), InputError);
   Chart chart = sine();
   chart.series[1].y.pop_back();

@@ -5,6 +5,12 @@
 namespace moat {
 namespace {
 
+TEST(PeakTable, WritesAMomentInThousands) {
+  CaseResult result;
+  result.peaks = {{"overturning_moment", "base", 2.5e6, "N m", 1.0}};
+  EXPECT_EQ(peak_table(result).find("peak overturning moment [kN m]\n  base  2500"), 0U) << peak_table(result);
+}
+
 TEST(PeakTable, GroupsByQuantityInEngineeringUnits) {
   CaseResult result;
   result.peaks = {{"displacement", "base", -0.1234567, "m", 4.5},

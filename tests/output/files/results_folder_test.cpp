@@ -220,7 +220,7 @@ TEST_F(ResultsFolderTest, ResultsOfARunThatGoesOnAreNotReplaced) {
 // The last one wins, and no two mix.
 TEST_F(ResultsFolderTest, RunsThatEndTogetherReplaceEachOther) {
   constexpr int runs = 4;
-  for (int round = 0; round < 25; ++round) {
+  for (int round = 0; round < 6; ++round) {
     fs::remove_all(folder / "x");
     put_results(folder / "x");
     std::barrier end{runs};
@@ -272,9 +272,9 @@ TEST_F(ResultsFolderTest, OverwritingKeepsWhatMoatDidNotWrite) {
   const fs::path x = folder / "x";
   put_results(x, {"summary.json", "histories.csv", "frames.pvd", "report.html", "frames/frame_000000.vtu",
                   "charts/drift.svg", "charts/drift.csv"});
-  const std::vector<fs::path> foreign{"notes.txt",       "impacts.csv",      "frame_000000.vtu",
-                                      "frames/mine.vtu", "old/summary.json", "charts/drift_2020.svg",
-                                      "charts/notes.txt"};
+  const std::vector<fs::path> foreign{"notes.txt",        "impacts.csv",      "frame_000000.vtu",
+                                      "frames/mine.vtu",  "old/summary.json", "charts/drift_2020.svg",
+                                      "charts/notes.txt", "charts/drift"};
   for (const fs::path& name : foreign) put(x / name);
   // Twice: they are no files of moat's after the first time either.
   for (const char* frame : {"frames/frame_000000.vtu", "frames/frame_000001.vtu"}) {
@@ -320,6 +320,55 @@ TEST_F(ResultsFolderTest, OverwritingUnlinksTheNamesOfItsFiles) {
   EXPECT_TRUE(fs::is_symlink(x / "notes.txt"));
   EXPECT_EQ(testing_output::read_file(folder / "victim.txt"), "something");
   EXPECT_EQ(names_in(folder / "elsewhere"), std::set<std::string>{"frame_000000.vtu"});
+}
+
+TEST_F(ResultsFolderTest, OverwritingKeepsTheFilesOfTheUserAndTheRightsOfTheFolder) {
+  const fs::path x = folder / "x";
+  put_results(x);
+  put(x / "notes.txt");
+  fs::create_hard_link(x / "notes.txt", folder / "same");
+  const fs::perms rights = fs::perms::owner_all | fs::perms::group_all;
+  fs::permissions(x, rights);
+  overwrite(x);
+  EXPECT_TRUE(fs::equivalent(x / "notes.txt", folder / "same")) << "no copy";
+  EXPECT_EQ(fs::hard_link_count(x / "notes.txt"), 2u);
+  EXPECT_EQ(fs::status(x).permissions(), rights);
+}
+
+TEST_F(ResultsFolderTest, AFileOfTheUserIsNotReplacedByAResultOfItsName) {
+  const fs::path x = folder / "x";
+  put_results(x);
+  for (const char* name : {"notes.txt", "impacts.csv"}) put(x / name);
+  ResultsFolder results{x, WhenFolderExists::overwrite};
+  for (const char* name : {"summary.json", "impacts.csv"}) std::ofstream{results.path() / name} << "new";
+  results.finish();
+  EXPECT_EQ(results.final_path(), folder / "x_2");
+  EXPECT_EQ(names_in(folder / "x_2"), (std::set<std::string>{"summary.json", "impacts.csv", ".moat"}));
+  EXPECT_EQ(names_in(x), (std::set<std::string>{"summary.json", "notes.txt", "impacts.csv", ".moat"}));
+  EXPECT_EQ(testing_output::read_file(x / "summary.json"), "something");
+  EXPECT_EQ(testing_output::read_file(x / "impacts.csv"), "something");
+}
+
+TEST_F(ResultsFolderTest, OverwritingReplacesTheResultsBehindALink) {
+  put_results(folder / "disk" / "x");
+  fs::create_directory_symlink("disk/x", folder / "x");
+  ResultsFolder results{folder / "x", WhenFolderExists::overwrite};
+  std::ofstream{results.path() / "summary.json"} << "new";
+  results.finish();
+  EXPECT_TRUE(fs::is_symlink(folder / "x"));
+  EXPECT_EQ(testing_output::read_file(folder / "x" / "summary.json"), "new");
+  EXPECT_EQ(names_in(folder / "disk"), std::set<std::string>{"x"});
+}
+
+TEST_F(ResultsFolderTest, ResultsThatTheUserRemovedMeanwhileAreNoObstacle) {
+  put_results(folder / "x");
+  ResultsFolder results{folder / "x", WhenFolderExists::overwrite};
+  put(results.path() / "report.html");
+  fs::remove_all(folder / "x");
+  results.finish();
+  EXPECT_EQ(results.final_path(), folder / "x");
+  EXPECT_EQ(names_in(folder), std::set<std::string>{"x"});
+  EXPECT_EQ(names_in(folder / "x"), (std::set<std::string>{"report.html", ".moat"}));
 }
 
 TEST_F(ResultsFolderTest, OverwritingRefusesAFolderWithoutTheListOfItsFiles) {

@@ -52,7 +52,7 @@ TEST(SensitivityTable, HasALineForTheLargestPeakOfEveryQuantity) {
             "    displacement, base  +33 %  -16 %   -1 %   +1 %     -7 %     +7 %\n"
             "    acceleration, base  -41 %  +64 %   +1 %   -1 %     -7 %     +6 %\n"
             "    impact force, moat  -16 %  +32 %   -2 %   +3 %     -3 %     +2 %\n"
-            "    touches 7               8      6      7      7        7        7\n"
+            "    impacts 7               8      6      7      7        7        7\n"
             "    Rigid walls: a wall that gives way changes this more than k.\n");
 }
 
@@ -81,7 +81,7 @@ TEST(SensitivityTable, GivesNoPercentageOfZero) {
                        {"impact_force", "step", "N", 0.0, 0.0, {1e6, 0.0}}};
   std::string text = sensitivity_table(sensitivity, 1.0);
   EXPECT_NE(text.find("    impact force, moat    +74 %     none\n"), std::string::npos) << text;
-  EXPECT_NE(text.find("    touches 1                 2        0\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("    impacts 1                 2        0\n"), std::string::npos) << text;
   EXPECT_NE(text.find("    gap-10%: contact appears at step; impact force none -> 1000 kN; displacement, base 14.23 cm "
                       "-> 14.00 cm.\n"),
             std::string::npos)
@@ -119,7 +119,7 @@ TEST(SensitivityTable, IsOneLineWhereThereAreNoRuns) {
   EXPECT_EQ(sensitivity_table({}, 1.0), "") << "a model without contacts";
   EXPECT_EQ(sensitivity_table({.reason = "It was not wanted."}, 1.0), "");
   EXPECT_EQ(sensitivity_table({.runs_left_out = 6}, 2.0),
-            "\nSensitivity to contact parameters: not computed, about 12 s; --sensitivity\n");
+            "\nSensitivity to contact parameters: not computed, at most 12 s; --sensitivity\n");
   EXPECT_EQ(sensitivity_table({.runs_left_out = 6}, 0.0),
             "\nSensitivity to contact parameters: not computed; --sensitivity\n");
   EXPECT_EQ(sensitivity_table({.computed = true, .reason = "No contact.", .rigid_walls = true}, 1.0),

@@ -114,7 +114,7 @@ TEST_F(Summary, ReadsBackWithEveryField) {
                             "restitution": 0.7, "energy_lost": 1e5})"));
   EXPECT_EQ(json["solver"], Json::parse(R"({"accepted_steps": 11, "rejected_steps": 12, "repeated_steps": 17,
                                             "event_solves": 13,
-                                            "events": 14, "newton_iterations": 15, "factorisations": 16,
+                                            "events": 14, "passed_changes": 0, "newton_iterations": 15, "factorisations": 16,
                                             "cpu_seconds": 0.5, "longest_step": 0.005})"));
 }
 

@@ -122,6 +122,19 @@ TEST(HistoryRecorder, HasMoreRowsThanExpected) {
   EXPECT_EQ(recorder.table().columns.size(), taken.columns.size());
 }
 
+TEST(HistoryRecorder, TakesFewerRowsWhereTheMemoryIsSmall) {
+  HandMovedBuilding building;
+  HistoryRecorder recorder{building.model, 0.1};
+  const double row = static_cast<double>(recorder.table().columns.size()) * 500.0 / 45.0;
+  EXPECT_EQ(recorder.fit(10.0, 101.5 * row), 0.0);
+  EXPECT_EQ(recorder.interval(), 0.1);
+  EXPECT_DOUBLE_EQ(recorder.fit(10.0, 40.0 * row), 101.0 * row);
+  EXPECT_DOUBLE_EQ(recorder.interval(), 0.3);
+  recorder.start(building.move(0.0, 0.0, 0.01));
+  recorder.step(building.move(1.0, 0.0, 0.01));
+  EXPECT_EQ(recorder.table().rows(), 4u) << "at 0, 0.3, 0.6 and 0.9 s";
+}
+
 TEST(HistoryRecorder, HasAColumnForTimeGroundAndEveryChannel) {
   HandMovedBuilding building;
   HistoryRecorder recorder{building.model, 0.1};
@@ -144,8 +157,9 @@ TEST(HistoryRecorder, HasAColumnForTimeGroundAndEveryChannel) {
 
 TEST(HistoryRecorder, RefusesAnIntervalThatIsNotPositive) {
   const HandMovedBuilding building;
-  EXPECT_EQ(testing::message_of([&] { HistoryRecorder(building.model, 0.0); }),
-            "HistoryRecorder: interval = 0 s is not allowed; it must be > 0 s and finite.");
+  EXPECT_EQ(
+      testing::message_of([&] { HistoryRecorder(building.model, 0.0); }),
+      "HistoryRecorder: interval = 0 s is not allowed; it must be > 0 s and finite. Check its sign and its unit.");
 }
 
 }  // namespace

@@ -184,7 +184,7 @@ TEST_F(FrameRecorderTest, WritesAFrameAtTheStartAndThenAtItsInterval) {
 
 TEST_F(FrameRecorderTest, RefusesAnIntervalBeforeItWritesAnything) {
   EXPECT_EQ(message_of<InputError>([&] { FrameRecorder(building.model, folder / "new", -1.0); }),
-            "FrameRecorder: interval = -1 s is not allowed; it must be > 0 s and finite.");
+            "FrameRecorder: interval = -1 s is not allowed; it must be > 0 s and finite. Check its sign and its unit.");
   EXPECT_FALSE(fs::exists(folder / "new"));
 }
 

@@ -110,6 +110,24 @@ TEST(ModelScene, AGapAtAColumnIsDrawnAtItsHeight) {
   EXPECT_DOUBLE_EQ(height(gap.points[0]), 0.5 * (height(slab.points[0]) + height(slab.points[2])));
 }
 
+TEST(ModelScene, AWallAtAColumnIsDrawnAtTheHeightOfTheGap) {
+  Model model;
+  const NodeId lower = add(model, Node{.name = "lower", .mass = 1 * kg, .height = 4 * m});
+  const NodeId upper = add(model, Node{.name = "upper", .mass = 1 * kg, .height = 8 * m});
+  add(model, ShearSpring{.name = "column", .lower = lower, .upper = upper, .stiffness = 1 * N / m});
+  add(model, Gap<HertzDamp>{.name = "gap",
+                            .left = MemberPoint{lower, upper, 0.25},
+                            .right = ground,
+                            .clearance = 20 * cm,
+                            .law = {.stiffness = 1 * N / m_3_2, .restitution = 1.0}});
+  const Scene scene = scene_of(model);
+  const auto height = [&](int point) { return scene.points[static_cast<std::size_t>(point)].z; };
+  const SceneCell& slab = cell(scene, CellKind::floor, "lower");
+  // A quarter of the way from 4 m to 8 m.
+  EXPECT_DOUBLE_EQ(height(cell(scene, CellKind::gap, "gap").points[0]),
+                   0.5 * (height(slab.points[0]) + height(slab.points[2])) + 1.0);
+}
+
 // Places of a cell's points in a drawing with displacements `factor` times larger, at rest.
 std::vector<double> drawn_x(const Scene& scene, const SceneCell& c, double factor) {
   std::vector<double> places;

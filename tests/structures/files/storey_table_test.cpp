@@ -135,6 +135,8 @@ TEST_F(ReadStoreys, RefusesBadRows) {
   EXPECT_EQ(refusal(header + "floor 2,3,50\nfloor 1,3,50\n"),
             ", line 2: floor 2 is the floor in place 1 from below. Rows stand from the lowest up unless there is an "
             "elevation; floor 1 is the first above base or ground.");
+  EXPECT_EQ(read_storeys(write("floors.csv", header + "floor 01,3,50\nfloor 02,3,50\n")).floors.size(), 2U)
+      << "a number, not a text";
   EXPECT_EQ(refusal(header), ": there are no rows below the names of the columns.");
   EXPECT_EQ(refusal(header + "a,3,50\nb,3\n"), ", line 3: it has 2 fields, line 1 has 3.");
   EXPECT_EQ(refusal(header + "a,3,\n"), ", line 2: mass is empty.");

@@ -320,14 +320,14 @@ TEST(Condensation, BadModelsAreRefused) {
   };
   using Model = FiniteElements;
   EXPECT_EQ(message([](Model&) {}), "nothing was thrown");
-  EXPECT_EQ(message([](Model& m) { m.nodes.clear(); }), "FiniteElements: it has no nodes.");
+  EXPECT_EQ(message([](Model& m) { m.nodes.clear(); }), "FiniteElements: it has no nodes. Give them in .nodes.");
   EXPECT_EQ(message([](Model& m) { m.diaphragms.clear(); }),
             "FiniteElements: it has no levels. Give the heights of its floors.");
   EXPECT_EQ(message([](Model& m) { m.diaphragms[2].height.reset(); }),
             "FiniteElements: diaphragm floor 3 has neither a height nor nodes.");
   EXPECT_EQ(message([](Model& m) { m.diaphragms[2].height = 11.4 * units::m; }),
             "FiniteElements: diaphragm floor 3 has no nodes within 1 mm of its height of 11.4 m; the nearest node lies "
-            "at 11.5 m.");
+            "at 11.5 m. Give the height of its nodes, or the nodes themselves.");
   EXPECT_EQ(message([](Model& m) { std::swap(m.diaphragms[3], m.diaphragms[4]); }),
             "FiniteElements: heights must rise: floor 4 at 18.5 m, floor 5 at 15 m. Towers beside each other have "
             "levels of their own: give .tower.");
@@ -365,15 +365,19 @@ TEST(Condensation, BadModelsAreRefused) {
               m.diaphragms[1] = {.nodes = {9, 99}};
             }),
             "FiniteElements: there is no node 99. Give it in .nodes.");
-  EXPECT_EQ(message([](Model& m) { m.nodes[3].name = 3; }), "FiniteElements: node 3 is given twice.");
+  EXPECT_EQ(message([](Model& m) { m.nodes[3].name = 3; }),
+            "FiniteElements: node 3 is given twice. Give every node a name of its own.");
   EXPECT_EQ(message([](Model& m) { m.nodes[3].x = NAN * units::m; }),
-            "FiniteElements: a coordinate of node 4 = nan m is not allowed; it must be a finite number.");
+            "FiniteElements: a coordinate of node 4 = nan m is not allowed; it must be a finite number. Look for a "
+            "division by zero in the calculation that gave it.");
   EXPECT_EQ(message([](Model& m) { m.diaphragms[0].mass = -1.0 * kg; }),
-            "FiniteElements: floor 1 mass = -1 kg is not allowed; it must be >= 0 kg and finite.");
+            "FiniteElements: floor 1 mass = -1 kg is not allowed; it must be >= 0 kg and finite. Check its sign and "
+            "its unit.");
   EXPECT_EQ(message([](Model& m) { m.stiffness.conservativeResize(300, 300); }),
             "FiniteElements: stiffness has 300 rows and 300 columns, the model has 312 unknowns.");
   EXPECT_EQ(message([](Model& m) { m.equations.resize(300, 312); }),
-            "FiniteElements: equations.rows() = 300 is not allowed; it must be 312, six for each of the nodes.");
+            "FiniteElements: equations.rows() = 300 is not allowed; it must be 312, six for each of the nodes. Give a "
+            "number in this range.");
   EXPECT_EQ(message([](Model& m) { m.stiffness.coeffRef(24, 24) = NAN; }),
             "FiniteElements: stiffness has an entry that is not finite, at node 5, x.");
   EXPECT_EQ(message([](Model& m) { m.stiffness.coeffRef(28, 28) = -3.0; }),

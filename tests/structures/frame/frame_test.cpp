@@ -213,12 +213,14 @@ TEST(Frame, BadInputIsRefused) {
   };
   EXPECT_EQ(message([](Frame&) {}), "nothing was thrown");
   EXPECT_EQ(message([](Frame& f) { f.nodes[1].z = 0 * m; }),
-            "Frame \"shed\": member 1: nodes 1 and 2 are at the same place.");
+            "Frame \"shed\": member 1: nodes 1 and 2 are at the same place. "
+            "Give one of them another place, or the member other ends.");
   EXPECT_EQ(message([](Frame& f) {
               f.members[0].offset_from = {.z = 2.1 * m};
               f.members[0].offset_to = {.z = -1 * m};
             }),
-            "Frame \"shed\": member 1: its offsets (3.1 m) are longer than it is (3 m).");
+            "Frame \"shed\": member 1: its offsets (3.1 m) are longer than it is (3 m). Offsets lead from its nodes "
+            "inwards.");
   EXPECT_EQ(message([](Frame& f) { f.members[0].releases_from.rx = f.members[0].releases_to.rx = true; }),
             "Frame \"shed\": member 1: all rotations about its axis are released. Release rx at one end.");
   EXPECT_EQ(message([](Frame& f) {
@@ -232,22 +234,29 @@ TEST(Frame, BadInputIsRefused) {
             "Frame \"shed\": member 1: its reference direction is parallel to it. Give a direction across the member.");
   EXPECT_EQ(message([](Frame& f) { f.members[0].to = 3; }),
             "Frame \"shed\": member 1: there is no node 3. Give it in .nodes.");
-  EXPECT_EQ(message([](Frame& f) { f.nodes[1].name = 1; }), "Frame \"shed\": node 1 is given twice.");
+  EXPECT_EQ(message([](Frame& f) { f.nodes[1].name = 1; }),
+            "Frame \"shed\": node 1 is given twice. Give every node a name of its own.");
   EXPECT_EQ(message([](Frame& f) { f.members[0].to = 1; }),
-            "Frame \"shed\": member 1: nodes 1 and 1 are at the same place.");
-  EXPECT_EQ(message([](Frame& f) { f.members.clear(); }), "Frame \"shed\": it has no members.");
+            "Frame \"shed\": member 1: nodes 1 and 1 are at the same place. "
+            "Give one of them another place, or the member other ends.");
+  EXPECT_EQ(message([](Frame& f) { f.members.clear(); }), "Frame \"shed\": it has no members. Give them in .members.");
   EXPECT_EQ(message([](Frame& f) { f.members[0].section.area = Area{}; }),
-            "Frame \"shed\": member 1 section.area = 0 m^2 is not allowed; it must be > 0 m^2 and finite.");
+            "Frame \"shed\": member 1 section.area = 0 m^2 is not allowed; it must be > 0 m^2 and finite. Check its "
+            "sign and its unit.");
   EXPECT_EQ(message([](Frame& f) { f.members[0].section.I_y = -1.0 * m_4; }),
-            "Frame \"shed\": member 1 section.I_y = -1 m^4 is not allowed; it must be >= 0 m^4 and finite.");
+            "Frame \"shed\": member 1 section.I_y = -1 m^4 is not allowed; it must be >= 0 m^4 and finite. Check its "
+            "sign and its unit.");
   EXPECT_EQ(message([](Frame& f) { f.members[0].material.E = Modulus{}; }),
-            "Frame \"shed\": member 1 material.E = 0 Pa is not allowed; it must be > 0 Pa and finite.");
+            "Frame \"shed\": member 1 material.E = 0 Pa is not allowed; it must be > 0 Pa and finite. Check its sign "
+            "and its unit.");
   EXPECT_EQ(message([](Frame& f) { f.members[0].material.poisson = 0.6; }),
-            "Frame \"shed\": member 1 material.poisson = 0.6 is not allowed; it must be > -1 and <= 0.5.");
+            "Frame \"shed\": member 1 material.poisson = 0.6 is not allowed; it must be > -1 and <= 0.5. Give a number "
+            "in this range.");
   EXPECT_EQ(message([](Frame& f) { f.members[0].material.density = -1.0 * kg / m_3; }),
-            "Frame \"shed\": member 1 material.density = -1 kg/m^3 is not allowed; it must be >= 0 kg/m^3 and finite.");
+            "Frame \"shed\": member 1 material.density = -1 kg/m^3 is not allowed; it must be >= 0 kg/m^3 and finite. "
+            "Check its sign and its unit.");
   EXPECT_EQ(message_of([] { return static_cast<MemberSection>(RectangularSection{.b = 0 * m, .h = 1 * m}); }),
-            "RectangularSection: b = 0 m is not allowed; it must be > 0 m and finite.");
+            "RectangularSection: b = 0 m is not allowed; it must be > 0 m and finite. Check its sign and its unit.");
 }
 
 }  // namespace

@@ -61,6 +61,19 @@ std::map<std::string, const ElementInfo*> gaps_of(const Model& model) {
 
 std::vector<std::string> names(std::initializer_list<const char*> list) { return {list.begin(), list.end()}; }
 
+// 15 m and 14.8 m differ by the thickness of a slab, but for round-off.
+TEST(Neighbours, FloorsMeetUpToTheThicknessOfASlab) {
+  for (const Length slab : {20 * cm, 19 * cm}) {
+    Model model;
+    const Building left = hospital(model), right = old_building(model);
+    const NeighbourGaps made = add(
+        model,
+        Neighbours{.name = "joint", .left = left, .right = right, .clearance = 12 * cm, .law = law(), .slab = slab});
+    EXPECT_EQ(made.names.back() == "joint: hospital floor 4 - old floor 5 at 14.90 m", slab == 20 * cm)
+        << made.names.back();
+  }
+}
+
 TEST(Neighbours, EveryFloorMeetsTheFloorOrColumnAtItsHeight) {
   Model model;
   const Building left = hospital(model), right = old_building(model);

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "analyses/case/case_warnings.hpp"
+#include "analyses/case/input_warnings.hpp"
 #include "message_of.hpp"
 #include "output/files/building_rows.hpp"
 #include "output/peaks/peak_recorder.hpp"

@@ -31,7 +31,6 @@ std::vector<RecordChannel> read_geonet(const TextFile& file) {
       lines.refuse("expected the beginning of a channel, \"Corrected accelerogram\", but found " + quoted(line) + ".");
     if (line.starts_with("Uncorrected")) {
       channel.level = RecordLevel::uncorrected;
-      channel.warnings.emplace_back("this is the uncorrected record");
     }
     channel.notes = lines.text(geonet_text_lines - 1, "the last of its 16 lines of text");
     channel.notes.insert(channel.notes.begin(), title);

@@ -35,7 +35,6 @@ Volume volume_header(RecordLines& lines, std::string_view first, const std::stri
   notes.emplace_back(trimmed(first));
   for (const std::string& line : lines.text(volume_text_lines - 1, "the last of its 13 lines of text"))
     notes.push_back(line);
-  volume.channel.warnings.emplace_back("this is the uncorrected record");
   const std::vector<double> numbers = numbers_in(notes[10].substr(std::min(notes[10].find('='), notes[10].size())));
   if (numbers.size() < 2 || !(numbers[0] >= 2.0 && numbers[0] < 1e9) || !(numbers[1] > 0.0))
     lines.refuse("expected count and duration in line 11 of the channel, but found " + moat::quoted(notes[10]) + ".");

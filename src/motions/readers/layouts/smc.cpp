@@ -33,7 +33,6 @@ std::vector<RecordChannel> read_smc(const TextFile& file) {
   channel.notes = lines.text(smc_text_lines, "the last of its 11 lines of text");
   if (channel.notes[0].find("UNCORRECTED") != std::string::npos) {
     channel.level = RecordLevel::uncorrected;
-    channel.warnings.emplace_back("this is the uncorrected record");
   }
   const std::vector<double> integers = lines.numbers(48, smc_integers, "the header of whole numbers"),
                             reals = lines.numbers(50, smc_reals, "the header of numbers");

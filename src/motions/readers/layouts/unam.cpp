@@ -84,7 +84,6 @@ std::vector<RecordChannel> read_unam(const TextFile& file) {
                      value("FACTOR DE DECIMACION") + ".");
     channel.station = value("CLAVE DE LA ESTACION");
     channel.event = value("FECHA DEL SISMO") + " " + value("HORA EPICENTRO");
-    channel.warnings.emplace_back("this is the uncorrected record");
     if (word.size() < names[i].size())
       channel.warnings.push_back("of ORIENTACION " + quoted(names[i]) + " only " + quoted(word) + " is used");
     channel.notes = header;

@@ -1,0 +1,64 @@
+// Keeps a run on disk while it is computed.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analyses/case/case_run.hpp"
+#include "study/file/store.hpp"
+
+namespace moat {
+
+/// Writes a run into its results folder while it goes on: the rows of histories.csv every five seconds, and
+/// checkpoints, from which --resume goes on. Both are written more rarely where they would take more than 2 % of the
+/// time.
+class KeptRun {
+ public:
+  /// interval: of checkpoints, s; 0 for none. identity: asked once. All must outlive this object.
+  KeptRun(CaseRun& run, std::filesystem::path folder, double interval, std::function<StudyIdentity()> identity);
+
+  /// Before every step: whether a signal asked the run to stop. It has a last checkpoint then.
+  bool stops();
+  /// The run has ended: the checkpoint is removed, unless a signal stopped it.
+  void end() const;
+  /// Returns the command that goes on, or why there are no checkpoints although they are wanted, as a line for the
+  /// user; empty where the run has reached its end. folder: of the results.
+  [[nodiscard]] std::string message(const std::vector<std::string>& arguments,
+                                    const std::filesystem::path& folder) const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  using Seconds = std::chrono::duration<double>;
+
+  // Work that is done at most so often.
+  struct Regular {
+    Seconds interval;
+    Clock::time_point next = Clock::now() + std::chrono::duration_cast<Clock::duration>(interval);
+
+    template <class Work>
+    void run(const Work& work);
+  };
+  [[nodiscard]] bool can_go_on() const { return stopped_ && failure_.empty() && interval_.count() > 0.0; }
+  void write_checkpoint();
+  void write_rows();
+
+  CaseRun* run_;
+  std::filesystem::path folder_;
+  Seconds interval_;
+  std::function<StudyIdentity()> identity_of_run_;
+  std::optional<StudyIdentity> identity_;
+  Regular checkpoints_, rows_;
+  std::ofstream histories_;
+  std::size_t rows_written_ = 0;
+  std::uintmax_t whole_bytes_ = 0;  // of the file behind the last rows
+  bool rows_fail_ = false, stopped_ = false;
+  std::string failure_;
+};
+
+}  // namespace moat

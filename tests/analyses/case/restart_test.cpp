@@ -1,0 +1,315 @@
+// A run that is saved at any moment goes on from there bit for bit.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "message_of.hpp"
+#include "moat.hpp"
+#include "output/recorders/isolator_forces.hpp"
+#include "random_draws.hpp"
+
+namespace moat {
+namespace {
+
+using namespace units;
+
+const ExactHertzDamp hard{.stiffness = 1e9 * N / m_3_2, .restitution = 0.65};
+
+LeadRubberBearing lead_rubber(Force yield_force = 1.93 * MN) {
+  return {.yield_force = yield_force, .yield_displacement = 1 * cm, .post_yield_stiffness = 19.3 * MN / m};
+}
+
+GroundMotion pulse() { return near_fault_pulse({.quiet_after = 1.5 * s}).scaled_to_pga(0.5 * g); }
+
+// A case, and the treatment of its runs.
+struct Restarted {
+  Model model{};
+  GroundMotion motion = pulse();
+  CaseOptions options{};
+  bool pounds = true;  // for certain
+  bool checks_bearings = false;
+};
+
+template <class Isolation>
+Model in_moat(const Isolation& isolation) {
+  Model model;
+  const auto building = add(model, ShearBuilding{.storeys = 2,
+                                                 .floor_mass = 500 * tonne,
+                                                 .storey_stiffness = 1 * GN / m,
+                                                 .damping = RayleighDamping{.ratio = 0.05},
+                                                 .base_mass = 550 * tonne,
+                                                 .isolation = isolation});
+  add(model, Moat{.around = building.base, .clearance = 8 * cm, .law = hard});
+  return model;
+}
+
+Restarted on_line(TransientOptions transient) {
+  transient.end = 6 * s;
+  return {.model = in_moat(lead_rubber()), .options = {.transient = transient}};
+}
+Restarted with_error_bars() {
+  Restarted each = on_line({});
+  each.options.error_bars = ErrorBarMode::always;
+  each.options.contact_sensitivity = ContactSensitivityMode::always;
+  each.options.history_interval = 7 * ms;  // rows inside steps
+  return each;
+}
+
+Restarted with_strong_dashpot() {
+  Restarted each = on_line({});
+  Model& model = each.model;
+  const NodeId tank = add(model, Node{.name = "tank", .mass = 5 * tonne});
+  add(model, ShearSpring{.name = "leg", .lower = model.buildings()[0].base, .upper = tank, .stiffness = 20 * MN / m});
+  add(model,
+      ViscousDamper{.name = "strut", .lower = model.buildings()[0].base, .upper = tank, .damping = 30 * MN * s / m});
+  return each;
+}
+
+template <class Law>
+Restarted on(const Law& law, int count) {
+  return {.model = in_moat(Isolator<Law>{.law = law, .count = count}), .pounds = false};
+}
+
+// A block on heating pendulums whose friction follows the weight, which lifts from them.
+Restarted on_changing_weight() {
+  Restarted each{.pounds = false};
+  constexpr double mass = 1.2e6;
+  const NodeId block = add(each.model, Node{.name = "block", .mass = mass * kg});
+  for (const double at : {-4.0, 0.0, 4.0})
+    add(each.model, Isolator<HeatedFrictionPendulum>{.name = "at " + std::to_string(at),
+                                                     .upper = block,
+                                                     .law = HeatedFrictionPendulum::typical(),
+                                                     .weight = mass * 9.80665 / 3.0 * N,
+                                                     .at = at * m,
+                                                     .weight_changes = true});
+  add(each.model, Building{.name = "block",
+                           .base = block,
+                           .axial_forces = AxialForces{.base_height = 2 * m,
+                                                       .vertical_period = 0.1 * s,
+                                                       .vertical_damping = 0.05,
+                                                       .rocking = AxialForces::Rocking::continues}});
+  std::vector<double> along, up;
+  for (int i = 0; i <= 200; ++i) {
+    along.push_back(2.0 * (std::sin(0.048 * i) + 0.4 * std::sin(0.18 * i)));
+    up.push_back(8.0 * std::sin(0.9 * i));
+  }
+  each.motion = with_vertical({"push", 0.02, along}, {"up", 0.02, up});
+  return each;
+}
+
+// Corners slide along walls, with friction; the checks of its bearings have a recorder.
+Restarted in_plan() {
+  Restarted each{.checks_bearings = true};
+  const auto tower =
+      add(each.model, PlanBuilding{.outline = rectangle(20 * m, 12 * m),
+                                   .storeys = 1,
+                                   .floor_mass = 700 * tonne,
+                                   .mass_offset = {1 * m, 0.6 * m},
+                                   .columns = grid(2, 2, {.stiffness = 100 * MN / m}),
+                                   .damping = RayleighDamping{.ratio = 0.05},
+                                   .base_mass = 800 * tonne,
+                                   .bearings = grid(2, 2,
+                                                    LeadRubberBearing{.yield_force = 250 * kN,
+                                                                      .yield_displacement = 1 * cm,
+                                                                      .post_yield_stiffness = 2 * MN / m})});
+  add(each.model, PlanMoat{.around = tower.base, .clearance = 12 * cm, .law = hard, .friction = 0.4});
+  each.motion = PlanMotion{pulse(), pulse().scaled_by(0.6)};
+  return each;
+}
+
+Restarted of_frame() {
+  Restarted each;
+  const ElasticMaterial steel{.E = 206 * GPa, .poisson = 0.3};
+  const MemberSection section{.area = 0.02 * m_2, .I_y = 8e-4 * m_4, .I_z = 8e-4 * m_4};
+  Frame frame{.name = "frame", .motion = LevelMotion::along_x};
+  for (int level = 0; level <= 2; ++level)
+    for (int line = 0; line <= 1; ++line) {
+      const int node = 10 * level + line;
+      frame.nodes.push_back({.name = node, .x = 6.0 * line * m, .z = 3.6 * level * m});
+      if (level > 0) frame.members.push_back({.from = node - 10, .to = node, .section = section, .material = steel});
+      if (level > 0 && line > 0)
+        frame.members.push_back({.from = node - 1, .to = node, .section = section, .material = steel});
+    }
+  for (int level = 1; level <= 2; ++level) frame.levels.push_back({.height = 3.6 * level * m, .mass = 50 * tonne});
+  const auto building = add(
+      each.model,
+      Superstructure{.condensed = frame.condensed(),
+                     .damping = ModalDamping{0.02},
+                     .base = SuperstructureBase{.mass = 55 * tonne},
+                     .isolation = LeadRubberBearing{
+                         .yield_force = 110 * kN, .yield_displacement = 1 * cm, .post_yield_stiffness = 1 * MN / m}});
+  add(each.model, Moat{.around = building.base, .clearance = 8 * cm, .law = hard});
+  return each;
+}
+
+// The case with recorders of all kinds.
+struct Run {
+  explicit Run(const Restarted& given) : run{given.model, given.motion, given.options}, forces{given.model} {
+    if (given.checks_bearings) {
+      std::map<std::string, BearingCapacities> all;
+      for (const auto& block : given.model.blocks())
+        for (const ElementInfo& info : block->infos())
+          if (info.isolates) all[info.name] = {.displacement_capacity = 0.3 * m};
+      run.attach(checks.emplace(CheckRules::none, all));
+    }
+    run.attach(forces);
+  }
+
+  // All numbers of its results, as bytes.
+  std::string results() {
+    CaseResult result = run.take_result();
+    StateArchive bytes;
+    bytes(result.peaks, result.clearances, result.impacts, result.contact_sensitivity, result.warnings,
+          result.assumptions);
+    for (Column& column : result.histories.columns) bytes(column.values);
+    for (FloorSpectrum& each : result.floor_spectra) bytes(each.spectrum.pseudo_acceleration);
+    for (BearingCheckRow& row : result.bearing_checks) bytes(row.demand.demand, row.demand.time);
+    std::vector<Peak> largest_forces = forces.peaks();
+    bytes(largest_forces);
+    const EnergyBalance& energy = result.energy;
+    for (double each : {energy.input, energy.strain, energy.kinetic, energy.viscous, energy.hysteretic, energy.impact,
+                        energy.friction, energy.integration_error, energy.equation_residual, energy.largest_kinetic})
+      bytes(each);
+    for (SolverStatistics* each : {&result.solver, &result.error_bars.companion_solver}) {
+      each->cpu_seconds = 0.0;
+      bytes(*each);
+    }
+    return bytes.take();
+  }
+
+  CaseRun run;
+  IsolatorForces forces;
+  std::optional<BearingCheckRecorder> checks;
+};
+
+// Counts the moments of a run, at which it may be saved, and finds those within a contact.
+std::vector<int> moments_of(const Restarted& given) {
+  Run one{given};
+  std::vector<int> in_contact, all;
+  int moment = 0;
+  one.run.stop_when([&] {
+    all.push_back(moment);
+    if (!one.run.transient().finished() && std::isfinite(one.run.transient().state().shortest_contact()))
+      in_contact.push_back(moment);
+    ++moment;
+    return false;
+  });
+  one.run.run();
+  EXPECT_TRUE(!in_contact.empty() || !given.pounds);
+  testing::RandomDraws random{20};
+  std::vector<int> chosen;
+  for (int i = 0; i < 20; ++i) {
+    const std::vector<int>& from = i % 4 == 0 && !in_contact.empty() ? in_contact : all;
+    chosen.push_back(from[static_cast<std::size_t>(random.integer(0, static_cast<int>(from.size()) - 1))]);
+  }
+  return chosen;
+}
+
+void expect_restarts(const Restarted& given) {
+  const std::vector<int> moments = moments_of(given);
+  Run undisturbed{given};
+  undisturbed.run.run();
+  const std::string expected = undisturbed.results();
+  // A run that is saved on its way is not changed by that.
+  std::vector<std::string> saved;
+  Run saving{given};
+  int moment = 0;
+  saving.run.stop_when([&] {
+    if (std::ranges::find(moments, moment++) == moments.end()) return false;
+    StateArchive archive;
+    saving.run.archive(archive);
+    saved.push_back(archive.take());
+    return false;
+  });
+  saving.run.run();
+  EXPECT_TRUE(saving.results() == expected) << "saving changes the results";
+  for (const std::string& state : saved) {
+    Run later{given};
+    later.run.go_on_from(StateArchive{state});
+    later.run.run();
+    EXPECT_TRUE(later.results() == expected)
+        << "of " << moments.size() << " moments, saved in " << state.size() << " B";
+  }
+}
+
+TEST(Restart, OfARunOnALine) { expect_restarts(on_line({})); }
+TEST(Restart, OfCompanionAndRunsWithChangedContacts) { expect_restarts(with_error_bars()); }
+TEST(Restart, OfExactSteps) { expect_restarts(on_line({.integrator = ExactBetweenEvents{}})); }
+TEST(Restart, OfFixedStepsAndEventsAtTheirEnds) {
+  expect_restarts(on_line({.step = 2 * ms, .events = EventTreatment::at_end_of_step}));
+}
+TEST(Restart, OfAveragedEquations) {
+  expect_restarts(on_line({.integrator = HilberHughesTaylor{}, .step = 2 * ms}));
+  expect_restarts(on_line({.integrator = GeneralizedAlpha{.spectral_radius = 0.8}, .step = 2 * ms}));
+}
+TEST(Restart, OfFilteredCorrections) { expect_restarts(with_strong_dashpot()); }
+TEST(Restart, OfLawsWithMemory) {
+  expect_restarts(on(BoucWen::typical(), 4));
+  expect_restarts(on(TriplePendulum::typical(), 4));
+  expect_restarts(on(HeatedLeadRubber::typical(), 4));
+  expect_restarts(on(KikuchiAikenRubber::typical(), 4));
+}
+TEST(Restart, UnderChangingWeight) { expect_restarts(on_changing_weight()); }
+TEST(Restart, InPlan) { expect_restarts(in_plan()); }
+TEST(Restart, OfAFrame) { expect_restarts(of_frame()); }
+
+// The state of a run after its first step.
+std::string state_of(const Restarted& given) {
+  Run one{given};
+  StateArchive archive;
+  int steps = 0;
+  one.run.stop_when([&] {
+    if (steps++ == 1) one.run.archive(archive);
+    return steps == 2;
+  });
+  one.run.run();
+  return archive.take();
+}
+
+std::string refusal(const Restarted& given, const std::string& state) {
+  Run other{given};
+  other.run.go_on_from(StateArchive{state});
+  return testing::message_of<InputError>([&] { other.run.run(); });
+}
+
+TEST(Restart, RefusesTheStateOfAnotherModelMotionOrMethod) {
+  const Restarted own = on_line({});
+  const std::string state = state_of(own);
+  Restarted wider = own, stronger = own, finer = own;
+  wider.model = in_moat(lead_rubber(2 * MN));
+  stronger.motion = pulse().scaled_by(1.1);
+  finer.options.transient.tolerance = 1e-5;
+  for (const Restarted& each : {wider, stronger, finer, on_line({.integrator = ExactBetweenEvents{}})})
+    EXPECT_EQ(refusal(each, state), "The saved state is that of another model, motion or method.");
+}
+
+TEST(Restart, RefusesAStateThatIsTooShortOrTooLong) {
+  const Restarted given = on_line({});
+  const std::string state = state_of(given);
+  EXPECT_EQ(refusal(given, state.substr(0, state.size() - 1)),
+            "The saved state is shorter than that of this analysis.");
+  EXPECT_EQ(refusal(given, state + " "), "The saved state is longer than that of this analysis.");
+}
+
+TEST(Restart, NeedsObserversThatCanBeSaved) {
+  struct Idle final : StepObserver {
+    void start(const StepView&) override {}
+    void step(const StepView&) override {}
+  } idle;
+  const Restarted given = on_line({});
+  Transient transient{given.model, given.motion};
+  transient.attach(idle);
+  transient.advance();
+  StateArchive archive;
+  EXPECT_EQ(testing::message_of<InputError>([&] { transient.archive(archive); }),
+            "An observer of this script has no archive(StateArchive&), which writes and reads its values.");
+}
+
+}  // namespace
+}  // namespace moat

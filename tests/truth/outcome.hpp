@@ -1,0 +1,96 @@
+// The results of an analysis, and how two of them differ.
+#pragma once
+
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "moat.hpp"
+
+namespace moat::testing {
+
+/// A model, its motion, and the end of its analysis, 0 s: that of the motion.
+struct Problem {
+  Model model;
+  GroundMotion motion;
+  Time end{};
+};
+
+struct Outcome {
+  std::vector<Peak> peaks;
+  std::vector<Impact> impacts;
+  EnergyBalance energy;
+  SolverStatistics solver;
+  MotionState end;
+};
+
+/// Runs an analysis with its recorders. A case in which a building rocks has no results, and is drawn again.
+inline Outcome outcome_of(const Problem& problem, TransientOptions options = {}) {
+  if (options.end.si() == 0.0) options.end = problem.end;
+  Transient analysis{problem.model, problem.motion, options};
+  EnergyLedger energy;
+  PeakRecorder peaks{problem.model};
+  ImpactRecorder impacts;
+  for (StepObserver* each : std::initializer_list<StepObserver*>{&energy, &peaks, &impacts}) analysis.attach(*each);
+  try {
+    analysis.run();
+  } catch (const RockingError&) {
+    RC_DISCARD("The building rocks.");
+  }
+  return {peaks.peaks(), impacts.impacts(), energy.at_end(), analysis.statistics(), analysis.state().motion()};
+}
+
+/// The peak that differs most.
+struct Difference {
+  double share = 0.0;
+  std::string peak;
+
+  friend bool operator<=(const Difference& difference, double bound) { return difference.share <= bound; }
+  friend std::ostream& operator<<(std::ostream& out, const Difference& difference) {
+    return out << difference.share << " of " << difference.peak;
+  }
+};
+
+/// Expected values of the peaks of another run; none: it is not compared.
+using PeakRule = std::function<std::optional<double>(const Peak&)>;
+inline std::optional<double> same_magnitude(const Peak& peak) { return peak.magnitude(); }
+
+/// Compares the magnitudes of the peaks that `rule` expects, at the places to which `moved` leads. A difference is a
+/// share of the larger value, but of no less than a thousandth of the largest peak of the quantity, and a millionth of
+/// the largest in the unit: results promise nothing about smaller ones.
+inline Difference difference_of_peaks(const Outcome& one, const Outcome& other, const PeakRule& rule = same_magnitude,
+                                      const std::function<std::string(std::string)>& moved = std::identity{}) {
+  std::map<std::string, double> of_quantity, of_unit, found;
+  for (const Peak& peak : one.peaks)
+    for (double* largest : {&of_quantity[peak.quantity], &of_unit[peak.unit]})
+      *largest = std::max(*largest, rule(peak).value_or(0.0));
+  for (const Peak& peak : other.peaks) found[peak.quantity + " " + peak.where] = peak.magnitude();
+  Difference worst;
+  for (const Peak& peak : one.peaks) {
+    const std::optional<double> expected = rule(peak);
+    if (!expected) continue;
+    const auto same = found.find(peak.quantity + " " + moved(peak.where));
+    const double value = same == found.end() ? 0.0 : same->second;
+    const double scale = std::max({value, *expected, 1e-3 * of_quantity[peak.quantity], 1e-6 * of_unit[peak.unit]});
+    const double share = scale == 0.0 ? 0.0 : std::abs(value - *expected) / scale;
+    if (share > worst.share || std::isnan(share))
+      worst = {share, peak.quantity + " " + peak.where + ": " + to_text(*expected) + " and " + to_text(value)};
+  }
+  return worst;
+}
+
+/// Bound for two runs of which one has other roundings. Forces balance to TransientOptions::force_tolerance, 1e-8, and
+/// impacts, one after the other, enlarge the rest.
+inline constexpr double equal_but_for_rounding = 1e-6;
+
+/// Bound of peaks with the default tolerance, in nine models of ten (docs/verification/random_models.md).
+inline constexpr double accurate = 1e-3;
+
+}  // namespace moat::testing
