@@ -1,11 +1,9 @@
 #include "analyses/case/case_run.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <set>
 
 #include "analyses/case/available_memory.hpp"
 #include "analyses/case/case_assumptions.hpp"
@@ -25,8 +23,8 @@ namespace {
 
 CaseOptions checked(CaseOptions options, const Model& model) {
   const Check check{"CaseOptions", options.title};
-  // memory_bounds_test.cpp holds it.
-  constexpr double bytes_per_degree_of_freedom = 20e3;
+  // memory_bounds_test.cpp guards it.
+  constexpr double bytes_per_degree_of_freedom = 7.5e3;
   const double needed = bytes_per_degree_of_freedom * model.degrees_of_freedom(), available = available_memory();
   check.that(needed <= available,
              "a run of " + std::to_string(model.degrees_of_freedom()) +
@@ -93,17 +91,24 @@ MotionFacts facts_of(const GroundMotion& motion) {
 
 }  // namespace
 
+CaseResult with_model(CaseResult result, const Model& model) {
+  result.model = facts_of(model);
+  if (model.degrees_of_freedom() <= most_drawn_nodes) result.scene = scene_of(model);
+  result.buildings = parts_of_buildings(model);
+  return result;
+}
+
 CaseRun::CaseRun(const Model& model, const GroundMotion& motion, CaseOptions options)
     : options_{checked(std::move(options), model)},
       periods_{characteristic_periods(model)},
       transient_{model, motion, options_.transient},
-      peaks_{model},
+      peaks_{std::make_unique<PeakRecorder>(model)},
       clearances_{model},
-      histories_{
+      histories_{std::make_unique<HistoryRecorder>(
           model, history_interval(options_, motion), &energy_,
-          !rows_at_steps(history_interval(options_, motion), longest_step(options_.transient, motion.time_step()))} {
-  histories_.share_samples_of(peaks_);
-  histories_.reserve(transient_.end_time());
+          !rows_at_steps(history_interval(options_, motion), longest_step(options_.transient, motion.time_step())))} {
+  histories_->share_samples_of(*peaks_);
+  histories_->reserve(transient_.end_time());
 }
 
 void CaseRun::attach(StepObserver& observer) {
@@ -113,22 +118,22 @@ void CaseRun::attach(StepObserver& observer) {
   const auto* recorder = dynamic_cast<const QuantityRecorder*>(&observer);
   if (recorder == nullptr) return;
   offered_.add(*recorder);
-  histories_.add(offered_);
+  histories_->add(offered_);
 }
 
 void CaseRun::run() {
-  const double interval = histories_.interval(), available = available_memory();
+  const double interval = histories_->interval(), available = available_memory();
   constexpr double least_for_histories = 64e6;
-  if (const double needed = histories_.fit(transient_.end_time(), std::max(0.5 * available, least_for_histories));
+  if (const double needed = histories_->fit(transient_.end_time(), std::max(0.5 * available, least_for_histories));
       needed > 0.0)
-    thinned_histories_ = "Histories have a row every " + to_text(histories_.interval()) + " s instead of every " +
+    thinned_histories_ = "Histories have a row every " + to_text(histories_->interval()) + " s instead of every " +
                          to_text(interval) + " s, which would take " + memory_text(needed) + " of the " +
                          memory_text(available) +
                          " of memory that are available. Peaks, impacts and energies are those "
                          "of all steps. An earlier end or more memory keeps all rows.";
   // After the observers of the script: a quantity that one of them offers is up to date when it is sampled.
   for (StepObserver* own :
-       std::initializer_list<StepObserver*>{&energy_, &peaks_, &impacts_, &clearances_, &histories_})
+       std::initializer_list<StepObserver*>{&energy_, peaks_.get(), &impacts_, &clearances_, histories_.get()})
     transient_.attach(*own);
   if (!offered_.list().empty()) transient_.attach(offered_peaks_);
   if (floor_spectra_.empty()) attach(own_floor_spectra_);
@@ -148,12 +153,12 @@ void CaseRun::run() {
 }
 
 void CaseRun::archive(StateArchive& archive) {
-  archive(thinned_histories_, transient_, companion_done_, companion_, about_companion_, companion_failure_,
-          companion_run_, contact_runs_);
+  archive(thinned_histories_, transient_, companion_done_, error_bars_, errors_of_peaks_, errors_of_clearances_,
+          about_companion_, companion_failure_, companion_run_, contact_runs_);
 }
 
 PeaksAndImpacts CaseRun::main_run() const {
-  return {peaks_.peaks(), impacts_.impacts(), transient_.statistics(), clearances_.clearances(),
+  return {peaks_->peaks(), impacts_.impacts(), transient_.statistics(), clearances_.clearances(),
           transient_.collapsed()};
 }
 
@@ -172,8 +177,8 @@ void CaseRun::run_companion() {
     const TransientOptions finer = companion_options(options_.transient, spent.longest_step);
     about_companion_ = companion_description(finer);
     try {
-      companion_ =
-          compute_peaks(transient_.model(), transient_.motion(), finer, {companion_observer_}, stop_, &companion_run_);
+      compare_with(
+          compute_peaks(transient_.model(), transient_.motion(), finer, {companion_observer_}, stop_, &companion_run_));
     } catch (const Error& error) {
       companion_failure_ = error.what();
       about_companion_ = "No error bars: the second run failed.";
@@ -181,27 +186,44 @@ void CaseRun::run_companion() {
   }
 }
 
-CaseResult CaseRun::result_with(Table histories) const {
+// Keeps the errors alone: the peaks of a large model take much memory.
+void CaseRun::compare_with(const PeaksAndImpacts& companion) {
+  PeaksAndImpacts main = main_run();
+  const double least_share = least_share_of_errors(transient_.model(), options_.transient);
+  error_bars_ = estimate_errors(main.peaks, main.touches, companion, least_share,
+                                scales_of_run(main.peaks, transient_.model(), transient_.motion(), options_.transient));
+  estimate_clearance_errors(main, companion, least_share);
+  for (const Peak& peak : main.peaks) errors_of_peaks_.push_back(peak.error);
+  for (const GapClearance& clearance : main.clearances) errors_of_clearances_.push_back(clearance.error);
+}
+
+CaseResult CaseRun::take_result_without_model() {
+  Table histories = histories_->take_table();
+  std::vector<Peak> peaks = peaks_->peaks();
+  // Nothing is recorded any more, and the rest of the result takes memory.
+  histories_.reset();
+  peaks_.reset();
+  return result_with(std::move(histories), std::move(peaks));
+}
+
+CaseResult CaseRun::result_with(Table histories, std::vector<Peak> peaks) const {
   const GroundMotion& motion = transient_.motion();
-  CaseResult result{
-      .title = options_.title,
-      .provenance = provenance_of_library(),
-      .analysis = facts_of(options_),
-      .motion = facts_of(motion),
-      .model = facts_of(transient_.model()),
-      .scene = transient_.model().degrees_of_freedom() <= most_drawn_nodes ? scene_of(transient_.model()) : Scene{},
-      .buildings = parts_of_buildings(transient_.model()),
-      .periods = periods_,
-      .peaks = peaks_.peaks(),
-      .clearances = clearances_.clearances(),
-      .impacts = impacts_.impacts(),
-      .histories = std::move(histories),
-      .offered = offered_.list(),
-      .energy = energy_.at_end(),
-      .solver = transient_.statistics(),
-      .error_bars = {},
-      .warnings = transient_.warnings(),
-      .assumptions = transient_.assumptions()};
+  CaseResult result{.title = options_.title,
+                    .provenance = provenance_of_library(),
+                    .analysis = facts_of(options_),
+                    .motion = facts_of(motion),
+                    .buildings = {},
+                    .periods = periods_,
+                    .peaks = std::move(peaks),
+                    .clearances = clearances_.clearances(),
+                    .impacts = impacts_.impacts(),
+                    .histories = std::move(histories),
+                    .offered = offered_.list(),
+                    .energy = energy_.at_end(),
+                    .solver = transient_.statistics(),
+                    .error_bars = {},
+                    .warnings = transient_.warnings(),
+                    .assumptions = transient_.assumptions()};
   if (!thinned_histories_.empty()) result.warnings.push_back(thinned_histories_);
   for (const auto& warnings : {motion_warnings(motion), model_warnings(transient_.model()),
                                collapse_warnings(result.peaks), period_warnings(transient_.model()),
@@ -232,17 +254,9 @@ CaseResult CaseRun::result_with(Table histories) const {
 }
 
 void CaseRun::add_errors(CaseResult& result) const {
-  if (companion_) {
-    const double least_share = least_share_of_errors(transient_.model(), options_.transient);
-    PeaksAndImpacts main{std::move(result.peaks), impacts_.impacts(), transient_.statistics(),
-                         std::move(result.clearances), transient_.collapsed()};
-    result.error_bars =
-        estimate_errors(main.peaks, main.touches, *companion_, least_share,
-                        scales_of_run(main.peaks, transient_.model(), transient_.motion(), options_.transient));
-    estimate_clearance_errors(main, *companion_, least_share);
-    result.peaks = std::move(main.peaks);
-    result.clearances = std::move(main.clearances);
-  }
+  result.error_bars = error_bars_;
+  for (std::size_t i = 0; i < errors_of_peaks_.size(); ++i) result.peaks[i].error = errors_of_peaks_[i];
+  for (std::size_t i = 0; i < errors_of_clearances_.size(); ++i) result.clearances[i].error = errors_of_clearances_[i];
   result.error_bars.companion = about_companion_;
   result.contact_sensitivity = contact_sensitivity_;
   result.contact_sensitivity.unsettled = result.error_bars.unsettled;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -44,6 +45,9 @@ struct CaseOptions {
   ContactSensitivityMode contact_sensitivity = ContactSensitivityMode::never;
 };
 
+/// Adds nodes, elements, buildings and drawing of the model to the result of a run.
+CaseResult with_model(CaseResult result, const Model& model);
+
 /// A time history with peaks, clearances and their errors, impacts, histories, periods and solver statistics.
 ///
 ///     CaseRun run{model, motion, {.title = "..."}};
@@ -83,28 +87,33 @@ class CaseRun {
   /// that does not fit.
   void go_on_from(StateArchive saved) { saved_ = std::move(saved); }
   /// Returns the histories up to now, to read.
-  [[nodiscard]] const Table& histories() const { return histories_.table(); }
+  [[nodiscard]] const Table& histories() const { return histories_->table(); }
 
   [[nodiscard]] const Transient& transient() const { return transient_; }  ///< The analysis behind the case.
   /// All that was recorded up to now.
-  [[nodiscard]] CaseResult result() const { return result_with(histories_.table()); }
-  /// Returns the result without a copy of the histories, which are gone from the run afterwards.
-  [[nodiscard]] CaseResult take_result() { return result_with(histories_.take_table()); }
+  [[nodiscard]] CaseResult result() const {
+    return with_model(result_with(histories_->table(), peaks_->peaks()), transient_.model());
+  }
+  /// At the end: returns the result without a copy of the histories. The run has no results afterwards.
+  [[nodiscard]] CaseResult take_result() { return with_model(take_result_without_model(), transient_.model()); }
+  /// Leaves the model out, which with_model() adds when the memory of the run is free.
+  [[nodiscard]] CaseResult take_result_without_model();
 
  private:
   void run_companion();
+  void compare_with(const PeaksAndImpacts& companion);
   [[nodiscard]] PeaksAndImpacts main_run() const;
-  [[nodiscard]] CaseResult result_with(Table histories) const;
+  [[nodiscard]] CaseResult result_with(Table histories, std::vector<Peak> peaks) const;
   void add_errors(CaseResult& result) const;
 
   CaseOptions options_;
   std::vector<NamedPeriod> periods_;
   Transient transient_;
   EnergyLedger energy_;
-  PeakRecorder peaks_;
+  std::unique_ptr<PeakRecorder> peaks_;
   ImpactRecorder impacts_;
   ClearanceRecorder clearances_;
-  HistoryRecorder histories_;
+  std::unique_ptr<HistoryRecorder> histories_;
   std::vector<const BearingCheckRecorder*> bearing_checks_;
   FloorSpectra own_floor_spectra_;  // where the script attached none
   std::vector<const FloorSpectra*> floor_spectra_;
@@ -113,7 +122,8 @@ class CaseRun {
   std::function<bool()> stop_;
   bool stopped_ = false;
   StepObserver* companion_observer_ = nullptr;
-  std::optional<PeaksAndImpacts> companion_;
+  ErrorBars error_bars_;
+  std::vector<double> errors_of_peaks_, errors_of_clearances_;  // in their order
   std::string about_companion_ = "No error bars: the run did not reach its end.";
   std::string companion_failure_, thinned_histories_;
   bool companion_done_ = false;

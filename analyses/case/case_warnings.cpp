@@ -97,16 +97,19 @@ std::vector<std::string> wall_warnings(const Model& model, const std::vector<Pea
   for (const auto& block : model.blocks())
     for (std::size_t e = 0; e < block->size(); ++e) {
       const ElementInfo& info = block->info(e);
+      const bool is_wall = info.deformation_quantity == "wall_deformation",
+                 is_soil = info.force_quantity == "backfill_force";
+      if (!is_wall && !is_soil) continue;
       const LawAsGiven law = block->law_of_block(e);
       const double ductility =
           peak_at("wall_deformation", info.name) / parameter_of(law.parameters, "yield_displacement", 1e300);
-      if (info.deformation_quantity == "wall_deformation" && ductility > most)
+      if (is_wall && ductility > most)
         warnings.push_back("\"" + info.name + "\" was pushed to " + to_significant(ductility, 3) +
                            " times its yield displacement. Its law yields without an end, but no wall does: count on "
                            "the soil behind it alone, or give a law that loses strength, such as ImkBilinear.");
       const double force = peak_at("backfill_force", info.name),
                    capacity = parameter_of(law.parameters, "ultimate_force", 1e300);
-      if (info.force_quantity == "backfill_force" && force > capacity)
+      if (is_soil && force > capacity)
         warnings.push_back("\"" + info.name + "\" resists with " + to_significant(force / 1e3, 4) +
                            " kN, more than its ultimate_force of " + to_significant(capacity / 1e3, 4) +
                            " kN: the hyperbola tends to ultimate_force/failure_ratio. Give .failure_ratio = 1 for "

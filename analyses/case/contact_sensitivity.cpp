@@ -163,14 +163,12 @@ ContactSensitivity contact_sensitivity(const Model& model, const GroundMotion& m
                             .of_wall = std::ranges::find(walls, peak.where) != walls.end()});
   ContactRuns new_runs;
   if (runs == nullptr) runs = &new_runs;
-  if (runs->count > 0) result = runs->finished;
-  while (runs->count < result.changes.size()) {
-    run_changed(result.changes[runs->count], result, model, motion, options, main, observer, stop, runs->under_way);
-    runs->finished = result;
-    ++runs->count;
-  }
-  result.computed = true;
-  return result;
+  if (runs->count == 0) runs->finished = std::move(result);
+  ContactSensitivity& all = runs->finished;
+  for (; runs->count < all.changes.size(); ++runs->count)
+    run_changed(all.changes[runs->count], all, model, motion, options, main, observer, stop, runs->under_way);
+  all.computed = true;
+  return all;
 }
 
 }  // namespace moat

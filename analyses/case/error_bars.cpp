@@ -5,16 +5,12 @@
 #include <iterator>
 #include <limits>
 #include <map>
-#include <memory>
 #include <string_view>
 
 #include "base/check.hpp"
 #include "base/error.hpp"
 #include "base/units.hpp"
 #include "output/files/engineering_unit.hpp"
-#include "output/peaks/peak_recorder.hpp"
-#include "output/recorders/clearance_recorder.hpp"
-#include "output/recorders/impact_recorder.hpp"
 
 namespace moat {
 namespace {
@@ -60,39 +56,53 @@ ScalesOfUnits largest_of_units(const std::vector<Peak>& peaks) {
   return largest;
 }
 
-// The difference of the magnitudes in the two runs, for every peak; NaN where the companion has none. Two runs of one
-// model list the same peaks in the same order.
-std::vector<double> differences(const std::vector<Peak>& peaks, const std::vector<Peak>& companion) {
-  std::vector<double> list(peaks.size(), std::numeric_limits<double>::quiet_NaN());
-  for (std::size_t i = 0; i < std::min(peaks.size(), companion.size()); ++i)
-    if (peaks[i].quantity == companion[i].quantity && peaks[i].where == companion[i].where)
-      list[i] = std::abs(peaks[i].magnitude() - companion[i].magnitude());
+// A peak of the main run: its magnitude, and the difference from the companion's, NaN where the companion has none.
+struct ComparedPeak {
+  std::string_view unit;
+  double magnitude, difference;
+};
+
+// Two runs of one model list the same peaks in the same order.
+std::vector<ComparedPeak> compared(const std::vector<Peak>& peaks, const std::vector<Peak>& companion) {
+  std::vector<ComparedPeak> list;
+  list.reserve(peaks.size());
+  for (std::size_t i = 0; i < peaks.size(); ++i) {
+    const Peak& peak = peaks[i];
+    const bool found =
+        i < companion.size() && peak.quantity == companion[i].quantity && peak.where == companion[i].where;
+    list.push_back(
+        {peak.unit, peak.magnitude(),
+         found ? std::abs(peak.magnitude() - companion[i].magnitude()) : std::numeric_limits<double>::quiet_NaN()});
+  }
   return list;
 }
 
-void set_errors(std::vector<Peak>& peaks, const std::vector<double>& difference, double factor, double least_share,
-                const ScalesOfUnits& largest) {
-  std::map<std::string, std::vector<double>> relative_of_unit;
+std::vector<double> errors_of(const std::vector<ComparedPeak>& peaks, double factor, double least_share,
+                              const ScalesOfUnits& largest) {
+  std::map<std::string_view, std::vector<double>> relative_of_unit;
   std::vector<double> relative_of_all;
-  for (std::size_t i = 0; i < peaks.size(); ++i) {
-    const double relative = difference[i] / peaks[i].magnitude();
-    if (!std::isfinite(relative) || peaks[i].magnitude() < negligible * largest.at(peaks[i].unit)) continue;
-    relative_of_unit[peaks[i].unit].push_back(relative);
+  for (const auto& [unit, magnitude, difference] : peaks) {
+    const double relative = difference / magnitude;
+    if (!std::isfinite(relative) || magnitude < negligible * largest.at(std::string{unit})) continue;
+    relative_of_unit[unit].push_back(relative);
     relative_of_all.push_back(relative);
   }
-  std::map<std::string, double> typical;
+  std::map<std::string_view, double> typical;
+  const double typical_of_all = relative_of_all.empty() ? 0.0 : median(relative_of_all);
   for (const auto& [unit, relative] : relative_of_unit)
-    typical[unit] = share_of_typical * std::max(median(relative), median(relative_of_all));
-  for (std::size_t i = 0; i < peaks.size(); ++i) {
-    const double least = typical[peaks[i].unit] * peaks[i].magnitude();
+    typical[unit] = share_of_typical * std::max(median(relative), typical_of_all);
+  std::vector<double> errors;
+  for (const auto& [unit, magnitude, difference] : peaks) {
     // std::max returns its first argument where that is not a number.
-    const double shown = std::max(difference[i], least);
-    const double estimate = std::max(factor * richardson * shown, least_share * peaks[i].magnitude());
-    peaks[i].error = estimate + round_off * peaks[i].magnitude();
-    if (!std::isfinite(peaks[i].error)) peaks[i].error = std::numeric_limits<double>::quiet_NaN();
+    const double shown = std::max(difference, typical[unit] * magnitude);
+    const double estimate = std::max(factor * richardson * shown, least_share * magnitude);
+    const double error = estimate + round_off * magnitude;
     // A force that neither run has is exact.
-    if (peaks[i].value == 0.0 && difference[i] == 0.0) peaks[i].error = 0.0;
+    errors.push_back(magnitude == 0.0 && difference == 0.0 ? 0.0
+                     : std::isfinite(error)                ? error
+                                                           : std::numeric_limits<double>::quiet_NaN());
   }
+  return errors;
 }
 
 // The largest approach of the two sides of every gap, which is a displacement like others.
@@ -208,28 +218,6 @@ std::string companion_description(const TransientOptions& companion) {
          to_text(companion.largest_step.si()) + " s.";
 }
 
-PeaksAndImpacts compute_peaks(const Model& model, const GroundMotion& motion, const TransientOptions& options,
-                              std::initializer_list<StepObserver*> observers, const std::function<bool()>& stop,
-                              RunUnderWay* under_way) {
-  Transient transient{model, motion, options};
-  PeakRecorder peaks{model};
-  ImpactRecorder touches{false};
-  ClearanceRecorder clearances{model};
-  transient.attach(peaks);
-  transient.attach(touches);
-  transient.attach(clearances);
-  for (StepObserver* observer : observers)
-    if (observer != nullptr) transient.attach(*observer);
-  RunUnderWay alone;
-  if (under_way == nullptr) under_way = &alone;
-  const auto end = [](RunUnderWay* run) { run->end(); };
-  const std::unique_ptr<RunUnderWay, decltype(end)> until_the_end{under_way, end};
-  under_way->begin(transient);
-  transient.run(stop);
-  if (!transient.finished()) throw Error{"it was stopped."};
-  return {peaks.peaks(), touches.impacts(), transient.statistics(), clearances.clearances(), transient.collapsed()};
-}
-
 ScalesOfUnits scales_of_run(const std::vector<Peak>& peaks, const Model& model, const GroundMotion& motion,
                             const TransientOptions& options) {
   ScalesOfUnits scales = largest_of_units(peaks);
@@ -257,7 +245,9 @@ ErrorBars estimate_errors(std::vector<Peak>& peaks, std::span<const Impact> touc
   const ImpactComparison impacts{touches, companion.touches};
   ScalesOfUnits of_unit = largest_of_units(peaks);
   for (const auto& [unit, scale] : scales) of_unit[unit] = std::max(of_unit[unit], scale);
-  set_errors(peaks, differences(peaks, companion.peaks), factor_of(impacts), least_share, of_unit);
+  const std::vector<double> errors =
+      errors_of(compared(peaks, companion.peaks), factor_of(impacts), least_share, of_unit);
+  for (std::size_t i = 0; i < peaks.size(); ++i) peaks[i].error = errors[i];
   ErrorBars bars;
   bars.checked = true;
   bars.companion_impacts = impacts.companion_count;
@@ -269,20 +259,13 @@ ErrorBars estimate_errors(std::vector<Peak>& peaks, std::span<const Impact> touc
 }
 
 void estimate_clearance_errors(PeaksAndImpacts& main, const PeaksAndImpacts& companion, double least_share) {
-  std::vector<Peak>& peaks = main.peaks;
-  std::vector<Peak> approaches = approaches_of(main.clearances);
-  std::vector<double> difference = differences(peaks, companion.peaks);
-  std::ranges::copy(differences(approaches, approaches_of(companion.clearances)), std::back_inserter(difference));
-  // Behind the peaks, of which large models have too many for a copy, and whose own errors stay.
-  const std::size_t count = peaks.size();
-  std::vector<double> own;
-  for (const Peak& peak : peaks) own.push_back(peak.error);
-  peaks.reserve(count + approaches.size());
-  std::ranges::move(approaches, std::back_inserter(peaks));
-  set_errors(peaks, difference, factor_of({main.touches, companion.touches}), least_share, largest_of_units(peaks));
-  for (std::size_t i = 0; i < main.clearances.size(); ++i) main.clearances[i].error = peaks[count + i].error;
-  peaks.erase(peaks.begin() + static_cast<std::ptrdiff_t>(count), peaks.end());
-  for (std::size_t i = 0; i < count; ++i) peaks[i].error = own[i];
+  const std::vector<Peak> approaches = approaches_of(main.clearances);
+  std::vector<ComparedPeak> all = compared(main.peaks, companion.peaks);
+  std::ranges::copy(compared(approaches, approaches_of(companion.clearances)), std::back_inserter(all));
+  ScalesOfUnits largest = largest_of_units(main.peaks);
+  for (const Peak& each : approaches) largest[each.unit] = std::max(largest[each.unit], each.magnitude());
+  const std::vector<double> errors = errors_of(all, factor_of({main.touches, companion.touches}), least_share, largest);
+  for (std::size_t i = 0; i < approaches.size(); ++i) main.clearances[i].error = errors[main.peaks.size() + i];
 }
 
 double least_share_of_errors(const Model& model, const TransientOptions& options) {

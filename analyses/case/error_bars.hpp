@@ -28,17 +28,6 @@ TransientOptions companion_options(const TransientOptions& options, double longe
 /// The companion in one sentence, for reports.
 std::string companion_description(const TransientOptions& companion);
 
-/// Peaks, clearances and touches of one run, and its cost.
-struct PeaksAndImpacts {
-  std::vector<Peak> peaks;                 ///< of every quantity and place
-  std::vector<Impact> touches;             ///< one for every impact
-  SolverStatistics solver;                 ///< steps, iterations, seconds
-  std::vector<GapClearance> clearances{};  ///< of every gap
-  bool collapsed = false;                  ///< Transient::collapsed()
-
-  void archive(auto& archive) { archive(peaks, touches, solver, clearances, collapsed); }  ///< StateArchive.
-};
-
 /// A large value of every SI unit, in that unit.
 using ScalesOfUnits = std::map<std::string, double>;
 
@@ -49,12 +38,6 @@ using ScalesOfUnits = std::map<std::string, double>;
 /// temperatures with 1.
 ScalesOfUnits scales_of_run(const std::vector<Peak>& peaks, const Model& model, const GroundMotion& motion,
                             const TransientOptions& options);
-
-/// Runs the model and returns its peaks and touches. The observers that are not null get every step. stop: asked
-/// before every step; true ends the run with an Error. under_way: has the run until its end. Throws as Transient does.
-PeaksAndImpacts compute_peaks(const Model& model, const GroundMotion& motion, const TransientOptions& options,
-                              std::initializer_list<StepObserver*> observers = {},
-                              const std::function<bool()>& stop = {}, RunUnderWay* under_way = nullptr);
 
 /// Gives every peak of the main run its error: Richardson's estimate from the companion's peak, whose own error is at
 /// most a quarter,

@@ -5,11 +5,11 @@
 #include <limits>
 #include <set>
 
+#include "analyses/modes/periods.hpp"
 #include "base/check.hpp"
 #include "base/units.hpp"
 #include "model/building.hpp"
 #include "motions/readers/read_motion.hpp"
-#include "solvers/modes.hpp"
 
 namespace moat {
 namespace {
@@ -151,13 +151,7 @@ std::vector<std::string> period_warnings(const Model& model) {
       for (const NodeId node : model.body_of(floor)) indices.insert(node.index);
     for (const NodeId node : model.body_of(buildings[b].base)) indices.erase(node.index);
     if (indices.empty()) continue;
-    // The columns of the degrees of freedom that move while base and others are held.
-    std::vector<Eigen::Triplet<double>> moving;
-    for (const int index : indices) moving.emplace_back(index, static_cast<int>(moving.size()), 1.0);
-    SparseMatrix columns{stiffness.rows(), static_cast<Eigen::Index>(moving.size())};
-    columns.setFromTriplets(moving.begin(), moving.end());
-    const SparseMatrix held = columns.transpose() * stiffness * columns, mass = columns.transpose() * masses * columns;
-    const double period = slowest_modes(held, mass, 1).front().period();
+    const double period = first_period(stiffness, masses, {indices.begin(), indices.end()});
     if (!std::isfinite(period) || (period <= longest && period >= shortest)) continue;
     warnings.push_back("The first period of " + (buildings[b].name.empty() ? "the building" : buildings[b].name) +
                        " held at its base is " + to_text(period) + " s; buildings have " + to_text(shortest) + " to " +

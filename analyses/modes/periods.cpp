@@ -46,12 +46,6 @@ SparseMatrix part_of(const SparseMatrix& matrix, const std::vector<int>& nodes) 
   return part;
 }
 
-// First period of the given nodes, all others held; infinite if they are free, 0 if there are none.
-double first_period(const SparseMatrix& stiffness, const SparseMatrix& mass, const std::vector<int>& nodes) {
-  if (nodes.empty()) return 0.0;
-  return slowest_modes(part_of(stiffness, nodes), part_of(mass, nodes), 1).front().period();
-}
-
 // The degrees of freedom of `nodes` that are not held, both ascending.
 std::vector<int> without(const std::vector<int>& nodes, const std::vector<int>& held) {
   std::vector<int> rest;
@@ -79,6 +73,11 @@ std::vector<NamedPeriod> periods_in_plan(const Model& model) {
 }
 
 }  // namespace
+
+double first_period(const SparseMatrix& stiffness, const SparseMatrix& mass, const std::vector<int>& nodes) {
+  if (nodes.empty()) return 0.0;
+  return slowest_modes(part_of(stiffness, nodes), part_of(mass, nodes), 1).front().period();
+}
 
 std::vector<NamedPeriod> characteristic_periods(const Model& model, std::size_t most_buildings) {
   if (model.is_plan()) return periods_in_plan(model);

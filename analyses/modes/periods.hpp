@@ -21,6 +21,10 @@ namespace moat {
 /// left out. Only the first `most_buildings` are computed.
 std::vector<NamedPeriod> characteristic_periods(const Model& model, std::size_t most_buildings = 8);
 
+/// Returns the first period, s, of these degrees of freedom, which ascend, with all others held; infinite if they are
+/// free, 0 if there are none.
+double first_period(const SparseMatrix& stiffness, const SparseMatrix& mass, const std::vector<int>& nodes);
+
 /// Returns the first period, s, of a building and those on its base, in the initial state, with all floors on isolators
 /// held; on a line and in plan. 0 where nothing is left to move.
 double fixed_base_period(const Model& model, const Building& building);

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
+#include <ranges>
 #include <string>
 #include <utility>
 
@@ -16,10 +18,10 @@ namespace {
 /// One result of all cases that are done and have a finite one, ascending.
 std::vector<double> finite_results(const StudyResult& study, std::string_view quantity) {
   std::vector<double> values;
-  for (const CaseOutcome& outcome : study.outcomes())
-    for (const NamedNumber& result : outcome.results)
-      if (result.quantity == quantity && result.where.empty() && std::isfinite(result.value))
-        values.push_back(result.value);
+  for (const Column& column : study.table().columns | std::views::drop(study.axes().size()))
+    if (column.quantity == quantity && column.where.empty())
+      std::ranges::copy_if(column.values, std::back_inserter(values),
+                           [](double value) { return std::isfinite(value); });
   std::ranges::sort(values);
   return values;
 }
@@ -61,8 +63,8 @@ StudyEvent pounds() { return exceeds("impacts", "", 0.0); }
 std::vector<EventCount> event_counts(const StudyResult& study, std::string_view axis, const StudyEvent& event) {
   const std::size_t index = study.cases().index_of(axis);
   std::map<double, EventCount> counts;
-  for (std::size_t number = 0; number < study.outcomes().size(); ++number) {
-    const CaseOutcome& outcome = study.outcomes()[number];
+  for (std::size_t number = 0; number < study.cases().count(); ++number) {
+    const CaseOutcome outcome = study.outcome(number);
     const double level = study.axes()[index].values[study.cases().position(index, number)];
     EventCount& count = counts[level];
     count.level = level;
@@ -82,8 +84,8 @@ std::vector<KnownInterval> event_limits(const StudyResult& study, std::string_vi
                                         Trend trend) {
   const std::size_t index = study.cases().index_of(axis);
   std::map<std::vector<std::size_t>, std::map<double, bool>> answers;  // by the other axes, by the level
-  for (std::size_t number = 0; number < study.outcomes().size(); ++number) {
-    const CaseOutcome& outcome = study.outcomes()[number];
+  for (std::size_t number = 0; number < study.cases().count(); ++number) {
+    const CaseOutcome outcome = study.outcome(number);
     if (outcome.state != CaseState::done) continue;
     std::vector<std::size_t> others;
     for (std::size_t i = 0; i < study.axes().size(); ++i)

@@ -72,7 +72,7 @@ std::vector<IdaCurve> ida_curves(const StudyResult& study, std::string_view leve
   std::map<std::vector<std::size_t>, Points> records;
   std::map<std::vector<std::size_t>, std::string> names;
   const std::vector<double> responses = study.values(quantity, where);
-  for (std::size_t number = 0; number < study.outcomes().size(); ++number) {
+  for (std::size_t number = 0; number < study.cases().count(); ++number) {
     const StudyCase each{study.cases(), number};
     std::vector<std::size_t> others;
     std::string name;
@@ -83,8 +83,8 @@ std::vector<IdaCurve> ida_curves(const StudyResult& study, std::string_view leve
     }
     names[others] = name;
     Points& points = records[others];
-    const CaseState state = study.outcomes()[number].state;
-    const double response = response_of(study.outcomes()[number], responses[number]);
+    const CaseState state = study.state(number);
+    const double response = response_of(study.outcome(number), responses[number]);
     if (state == CaseState::done && !std::isnan(response))
       points.solved[each.value(level_axis)] = response;
     else if (state != CaseState::open)
@@ -150,12 +150,13 @@ StudyRecord record_of(const IdaCurve& curve) {
 
 std::vector<IdaCurve> ida_curves(const StudyResult& hunts) {
   std::vector<IdaCurve> curves;
-  for (std::size_t number = 0; number < hunts.outcomes().size(); ++number) {
-    if (hunts.outcomes()[number].state != CaseState::done) continue;
+  for (std::size_t number = 0; number < hunts.cases().count(); ++number) {
+    const CaseOutcome outcome = hunts.outcome(number);
+    if (outcome.state != CaseState::done) continue;
     std::map<double, double> points;
     std::set<double> unsolved;
     double level = 0.0, limit = infinite_response;
-    for (const NamedNumber& each : hunts.outcomes()[number].results) {
+    for (const NamedNumber& each : outcome.results) {
       if (each.quantity == "ida_response_limit") limit = each.value;
       if (each.quantity == "ida_level") level = each.value;
       if (each.quantity == "ida_response") points[level] = each.value;

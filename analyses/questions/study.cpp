@@ -6,7 +6,6 @@
 #include <initializer_list>
 #include <iterator>
 #include <limits>
-#include <span>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -19,7 +18,7 @@
 #include "analyses/case/error_bars.hpp"
 #include "base/check.hpp"
 #include "base/error.hpp"
-#include "base/sha256.hpp"
+#include "motions/motion_files.hpp"
 #include "output/peaks/drift_ratios.hpp"
 #include "output/recorders/energy_columns.hpp"
 #include "output/recorders/energy_ledger.hpp"
@@ -37,27 +36,27 @@ std::size_t threads_of(const StudyOptions& options) {
 }
 
 // The cases of the part that are not computed yet.
-std::vector<std::size_t> open_numbers(const std::vector<CaseOutcome>& outcomes, const StudyOptions& options) {
-  std::size_t first = 0, last = outcomes.size();
+std::vector<std::size_t> open_numbers(const StudyResult& result, const StudyOptions& options) {
+  const std::size_t count = result.cases().count();
+  std::size_t first = 0, last = count;
   if (options.part) {
     std::tie(first, last) = *options.part;
-    Check{"StudyOptions", ""}.that(
-        first < last && last <= outcomes.size(),
-        "part = " + std::to_string(first) + ":" + std::to_string(last) + " is not allowed.",
-        "The cases are 0:" + std::to_string(outcomes.size()) + "; the last is not included.");
+    Check{"StudyOptions", ""}.that(first < last && last <= count,
+                                   "part = " + std::to_string(first) + ":" + std::to_string(last) + " is not allowed.",
+                                   "The cases are 0:" + std::to_string(count) + "; the last is not included.");
   }
   std::vector<std::size_t> numbers;
   for (std::size_t number = first; number < last; ++number)
-    if (outcomes[number].state == CaseState::open) numbers.push_back(number);
+    if (result.state(number) == CaseState::open) numbers.push_back(number);
   return numbers;
 }
 
 /// Counts the cases for StudyOptions::progress.
 class Progress {
  public:
-  Progress(const std::vector<CaseOutcome>& outcomes, std::size_t open) {
-    for (const CaseOutcome& outcome : outcomes)
-      if (outcome.state != CaseState::open) add(outcome);
+  Progress(const StudyResult& result, std::size_t open) {
+    for (std::size_t number = 0; number < result.cases().count(); ++number)
+      if (result.state(number) != CaseState::open) add(result.outcome(number));
     now_.all = now_.done + open;
   }
   const StudyProgress& finished(const CaseOutcome& outcome) {
@@ -80,49 +79,42 @@ class Progress {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// All results of a study are in memory, also those that its file had.
-void require_memory(const StudyCases& cases, const StudyOptions& options) {
-  // With some 50 results each.
-  constexpr double bytes_per_case = 11e3, bytes_per_open_case = 500.0;
-  const auto all = static_cast<double>(cases.count());
-  const double computed = options.part ? static_cast<double>(options.part->second - options.part->first) : all;
-  const double needed = bytes_per_open_case * all + bytes_per_case * computed, available = available_memory();
+// All results of a study are in memory, also those that its file had. A case with 50 results needs less, as a test
+// holds.
+void require_memory(const StudyCases& cases) {
+  constexpr double bytes_per_case = 1e3;
+  const double needed = bytes_per_case * static_cast<double>(cases.count()), available = available_memory();
   Check{"Study", ""}.that(needed <= available,
                           std::to_string(cases.count()) + " cases need about " + memory_text(needed) + ", and " +
                               memory_text(available) + " of memory are available.",
                           "Give the axes fewer values, or make several studies of them.");
 }
 
-std::vector<CaseOutcome> compute_outcomes(const StudyCases& cases, const ComputeCase& compute,
-                                          const StudyOptions& options) {
+StudyResult compute_outcomes(const StudyCases& cases, const ComputeCase& compute, const StudyOptions& options) {
   std::vector<ComputeCase> workers(threads_of(options),
                                    [&](const StudyCase& each) { return outcome_of(each, compute); });
   if (options.ranks != nullptr) {
     if (options.ranks->rank() > 0) return compute_for_first_rank(*options.ranks, cases, compute);
     for (int rank = 1; rank < options.ranks->count(); ++rank) workers.push_back(computed_on(*options.ranks, rank));
   }
-  require_memory(cases, options);
-  std::vector<CaseOutcome> outcomes =
-      options.store != nullptr ? options.store->outcomes() : std::vector<CaseOutcome>(cases.count());
-  const std::vector<std::size_t> numbers = open_numbers(outcomes, options);
-  Progress progress{outcomes, numbers.size()};
+  require_memory(cases);
+  StudyResult result = options.store != nullptr ? options.store->result() : StudyResult{cases};
+  const std::vector<std::size_t> numbers = open_numbers(result, options);
+  Progress progress{result, numbers.size()};
   const auto finished = [&](std::size_t number, CaseOutcome&& outcome) {
     if (options.store != nullptr) options.store->write(number, outcome);
-    outcome.results.shrink_to_fit();
-    outcomes[number] = std::move(outcome);
-    const StudyProgress& now = progress.finished(outcomes[number]);
+    const StudyProgress& now = progress.finished(outcome);
+    result.set(number, std::move(outcome));
     if (options.progress) options.progress(now);
   };
   compute_cases(cases, numbers, workers, finished, options.stop);
-  if (options.ranks != nullptr) end_work(*options.ranks, outcomes);
-  return outcomes;
+  if (options.ranks != nullptr) end_work(*options.ranks, result);
+  return result;
 }
 
 StudyResult compute_study(const StudyCases& cases, const ComputeCase& compute, const StudyOptions& options) {
-  std::vector<CaseOutcome> outcomes = compute_outcomes(cases, compute, options);
-  const bool stopped = !open_numbers(outcomes, options).empty();
-  StudyResult result{cases, std::move(outcomes)};
-  if (stopped) throw StudyStopped{std::move(result)};
+  StudyResult result = compute_outcomes(cases, compute, options);
+  if (!open_numbers(result, options).empty()) throw StudyStopped{std::move(result)};
   if (!options.keep_failures && !failures_of(result).empty()) throw StudyError{std::move(result)};
   return result;
 }
@@ -141,29 +133,6 @@ void add_floor_spectra(StudyRecord& record, const std::vector<FloorSpectrum>& sp
       if (!floor.spectrum.absolute_acceleration.empty())
         record.push_back({"floor_sa_absolute", where, "m/s^2", floor.spectrum.absolute_acceleration[i]});
     }
-}
-
-std::vector<FileRead> files_of(const GroundMotion& motion) {
-  std::vector<FileRead> files;
-  for (const MotionComponent& component : motion.components())
-    if (!component.file.path.empty() && std::ranges::find(files, component.file) == files.end())
-      files.push_back(component.file);
-  return files;
-}
-
-/// Returns the hash of a motion: of its files, and of its samples, because files say nothing of scale and filters.
-std::string hash_of(const GroundMotion& motion) {
-  std::string bytes;
-  for (const FileRead& file : files_of(motion)) bytes += file.sha256;
-  const auto add = [&](std::span<const double> numbers) {
-    bytes.append(reinterpret_cast<const char*>(numbers.data()), numbers.size_bytes());
-  };
-  const double time_step = motion.time_step();
-  add({&time_step, 1});
-  add(motion.samples());
-  add(motion.samples_y());
-  add(motion.samples_z());
-  return sha256_of(bytes);
 }
 
 CaseOutcome outcome_of_model(const Model& model, const GroundMotion& motion, const StudyOptions& options) {

@@ -79,10 +79,11 @@ StudyResult run_suite(const Suite& suite, const std::function<Model(const SuiteC
 std::vector<std::size_t> cases_with_largest_deformation(const StudyResult& suite) {
   const bool has_bounds = std::ranges::find(suite.axes(), of_bounds, &StudyAxis::name) != suite.axes().end();
   std::map<std::size_t, std::pair<double, std::size_t>> largest;  // by bound: deformation and case
-  for (std::size_t number = 0; number < suite.outcomes().size(); ++number) {
+  for (std::size_t number = 0; number < suite.cases().count(); ++number) {
     double deformation = 0.0;
     bool collapsed = false;
-    for (const NamedNumber& each : suite.outcomes()[number].results) {
+    const CaseOutcome outcome = suite.outcome(number);
+    for (const NamedNumber& each : outcome.results) {
       if (each.quantity == "isolator_deformation") deformation = std::max(deformation, each.value);
       if (each.quantity == "collapsed" && each.value > 0.0) collapsed = true;
     }

@@ -8,55 +8,45 @@
 #include "analyses/events/event_location.hpp"
 #include "analyses/integrators/integrators.hpp"
 #include "analyses/time_history/model_checks.hpp"
+#include "analyses/time_history/weight_warnings.hpp"
 #include "base/check.hpp"
 #include "base/error.hpp"
 #include "base/sha256.hpp"
 #include "base/text/rows.hpp"
+#include "motions/motion_files.hpp"
 #include "motions/vertical_motion.hpp"
 
 namespace moat {
 namespace {
 
-// A warning of rubber whose critical load fell, with its displacement, below a weight that is constant.
-void warn_of_unstable_rubber(const AnalysisState& state, std::vector<std::string>& list) {
-  const auto& blocks = state.model().blocks();
-  std::string first;
-  int others = -1;
-  for (std::size_t b = 0; b < blocks.size(); ++b)
-    for (std::size_t e = 0; e < blocks[b]->size(); ++e) {
-      const auto quantities = blocks[b]->quantities(e);
-      const auto critical = std::ranges::find(quantities, "critical_load", &ReportedQuantity::name);
-      if (critical == quantities.end()) continue;
-      const double weight = parameter_of(blocks[b]->law(e).parameters, "weight");
-      const double load =
-          state.elements(b).law_quantity(e, static_cast<std::size_t>(critical - quantities.begin())).value;
-      if (weight <= load) continue;
-      if (++others == 0)
-        first = "\"" + blocks[b]->info(e).name + "\" became unstable: its weight of " + to_text(weight) +
-                " N exceeds the critical load of the displaced rubber, " + to_text(load) + " N.";
-    }
-  if (others > 0) first += " So did " + std::to_string(others) + (others == 1 ? " other." : " others.");
-  if (!first.empty()) list.push_back(std::move(first));
-}
-
-// Names and numbers by which the analysis that wrote a state is known again.
+// All by which the analysis that wrote a state is known again: names, laws, matrices, start, motion and method.
 std::string identity_of(const Transient& transient) {
   const Model& model = transient.model();
-  std::string text;
-  for (int i = 0; i < model.nodes(); ++i)
-    text.append(model.node_name(model.node(i))).append(to_text(model.mass(model.node(i))));
+  std::string bytes;
+  const auto add_text = [&](std::string_view text) { bytes.append(text).push_back('\0'); };
+  const auto add_numbers = [&](const double* numbers, Eigen::Index count) {
+    bytes.append(reinterpret_cast<const char*>(numbers), static_cast<std::size_t>(count) * sizeof *numbers);
+  };
+  for (int i = 0; i < model.nodes(); ++i) add_text(model.node_name(model.node(i)));
   for (const auto& block : model.blocks())
     for (std::size_t e = 0; e < block->size(); ++e) {
       const LawAsGiven law = block->law(e);
-      text += block->info(e).name + law.name + to_text(block->info(e).offset);
-      for (const Parameter& each : law.parameters) text.append(each.name).append(to_text(each.value));
+      add_text(block->info(e).name);
+      add_text(law.name);
+      add_numbers(&block->info(e).offset, 1);
+      for (const Parameter& each : law.parameters) add_numbers(&each.value, 1);
     }
-  const GroundMotion& motion = transient.motion();
-  for (const double number :
-       {motion.time_step(), motion.duration(), motion.peak_acceleration().si(), transient.end_time()})
-    text += to_text(number) + ",";
-  for (const std::string& each : transient.assumptions()) text += each;
-  return sha256_of(text);
+  SparseMatrix masses = model.zero_matrix();
+  model.mass_matrix().add_to(1.0, masses);
+  for (const SparseMatrix& matrix : {model.linear_stiffness(StiffnessStage::initial), masses})
+    add_numbers(matrix.valuePtr(), matrix.nonZeros());
+  const MotionState start = model.initial_motion();
+  for (const Vector* each : {&start.displacement, &start.velocity}) add_numbers(each->data(), each->size());
+  const double end = transient.end_time();
+  add_numbers(&end, 1);
+  add_text(hash_of(transient.motion()));
+  for (const std::string& each : transient.assumptions()) add_text(each);
+  return sha256_of(bytes);
 }
 
 double process_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
@@ -180,9 +170,10 @@ void Transient::finish() {
 }
 
 void Transient::run(const std::function<bool()>& stop) {
-  const double started = process_seconds();
+  counted_until_ = process_seconds();
   const auto end = [&] {
-    statistics_.cpu_seconds += process_seconds() - started;
+    count_time();
+    counted_until_.reset();
     finish();
   };
   observers_.start(view(true));
@@ -199,7 +190,14 @@ void Transient::run(const std::function<bool()>& stop) {
   end();
 }
 
+void Transient::count_time() {
+  if (!counted_until_) return;
+  const double now = process_seconds();
+  statistics_.cpu_seconds += now - std::exchange(*counted_until_, now);
+}
+
 void Transient::archive(StateArchive& archive) {
+  count_time();
   archive.require_same(identity_of(*this), "The saved state is that of another model, motion or method.");
   if (archive.reads()) observers_.start(view(true));
   archive(state_, statistics_, grid_, chatter_, collapse_, vain_cuts_);
@@ -247,33 +245,12 @@ std::vector<std::string> Transient::assumptions() const {
 std::vector<std::string> Transient::warnings() const {
   std::vector<std::string> list;
   if (collapse_.collapsed()) list.push_back(collapse_.warning());
-  warn_of_unstable_rubber(state_, list);
   if (statistics_.passed_changes > 0)
     list.push_back(
         counted(statistics_.passed_changes, "change") +
         " of regime could not be located: several cuts in succession did not reach the change, and a whole step "
-        "passed it. Try a smaller step.");
-  for (const WeightOnBearings& weight : state_.weights()) {
-    const std::string building = weight.building().empty() ? "The building" : "\"" + weight.building() + "\"";
-    if (weight.rocking_time() > 0.0)
-      list.push_back(building + " rocked for " + to_text(weight.rocking_time()) +
-                     " s, first at t = " + to_text(weight.first_rocking()) +
-                     " s: the moment that its bearings cannot balance was dropped. Do not trust later peaks.");
-    int lifted = 0;  // of rubber
-    for (const WeightOnBearings::Bearing& bearing : weight.bearings())
-      if (!bearing.on_slab.slides && bearing.uplifts > 0) lifted += bearing.on_slab.count;
-    if (lifted > 0 && weight.options().may_pull.si() == 0.0)
-      list.push_back(building + " lifted from " + std::to_string(lifted) +
-                     " of its bearings that do not slide. They kept their horizontal force. Give .may_pull where "
-                     "bearings are bolted; others lose that force in the air.");
-    const auto& first = *std::ranges::min_element(weight.bearings(), {}, &WeightOnBearings::Bearing::first_unstable);
-    if (first.instabilities > 0)
-      list.push_back(
-          "\"" + state_.model().blocks()[first.element.block]->info(first.element.element).name +
-          "\" is unstable for the first time at t = " + to_text(first.first_unstable) +
-          " s: its axial force exceeds the critical load of the displaced rubber. Peaks of bearing_unstable list all "
-          "such bearings.");
-  }
+        "passed it. Take a smaller largest_step or a tighter tolerance, or a shorter fixed step.");
+  for (std::string& warning : weight_warnings(state_, !finished())) list.push_back(std::move(warning));
   for (const auto& method : methods_.by_preference)
     for (std::string& warning : method->warnings()) list.push_back(std::move(warning));
   return list;

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -85,6 +86,7 @@ class Transient {
   void commit(const StepTask& step);
   void change_regimes_at_end();
   void end_motion();
+  void count_time();
   void restart(bool touched);
   [[nodiscard]] StepView view(bool on_grid) const;
 
@@ -99,7 +101,8 @@ class Transient {
   StepSolver step_;
   ChatterGuard chatter_;
   CollapseGuard collapse_;
-  int vain_cuts_ = 0;  // in succession: steps that event location cut, without a change at their end
+  std::optional<double> counted_until_;  // s of the process, in run()
+  int vain_cuts_ = 0;                    // in succession: steps that event location cut, without a change at their end
   Observers observers_;
   std::vector<RegimeChange> changes_;  // of the last step that had any
 };

@@ -56,7 +56,7 @@ std::string keep_results(const CaseResult& result, const std::filesystem::path& 
   std::error_code error;
   for (const char* name : {frames_folder, charts_folder}) std::filesystem::remove_all(folder / name, error);
   for (const std::string_view name : all_names)
-    if (name != unfinished) std::filesystem::remove(folder / name, error);
+    if (name != unfinished && name != checkpoint) std::filesystem::remove(folder / name, error);
   std::string kept, missing = "frames";
   const auto keep = [&](const char* name, const std::function<void()>& write) {
     try {

@@ -18,7 +18,7 @@ using WritingProgress = std::function<void(double done, double all, const std::s
 void write_results(const CaseResult& result, const std::filesystem::path& folder, const WritingProgress& progress = {});
 
 /// Where write_results() failed: removes frames and charts, writes the files one by one, the most important ones first,
-/// and returns a sentence that names those that are there and those that are not.
+/// and returns a sentence that names those that are there and those that are not. The checkpoint stays.
 std::string keep_results(const CaseResult& result, const std::filesystem::path& folder);
 
 /// The table of buildings, periods, peaks, clearances, energy, number of impacts and cost, for the terminal.

@@ -8,7 +8,6 @@
 
 #include "app/command_line.hpp"
 #include "base/text/terminal.hpp"
-#include "output/files/csv_writer.hpp"
 #include "study/file/store.hpp"
 #include "study/study_report.hpp"
 #include "study/study_text.hpp"
@@ -38,7 +37,7 @@ int main(int argc, char** argv) {
     if (*csv) {
       std::filesystem::path path{out};
       if (out.empty()) require_own(path = std::filesystem::path{file}.replace_extension(".csv"));
-      write_csv(read_study(file).result.case_table(), path);
+      write_csv(read_study(file).result, path);
       print_text(std::cout, path.string() + "\n");
       return 0;
     }

@@ -4,8 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <string>
 
@@ -34,10 +32,9 @@ std::string sha256_in_base64(std::string_view bytes) {
 std::optional<std::string> sha256_of_file(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) return std::nullopt;
-  std::ifstream file{path, std::ios::binary};
-  const std::string content{std::istreambuf_iterator<char>{file}, {}};
-  if (!file) return std::nullopt;
-  return sha256_of(content);
+  std::array<char, SHA256_DIGEST_STRING_LENGTH> digits;
+  if (SHA256File(path.c_str(), digits.data()) == nullptr) return std::nullopt;
+  return digits.data();
 }
 
 }  // namespace moat

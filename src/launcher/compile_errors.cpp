@@ -88,9 +88,12 @@ std::optional<std::size_t> semicolon_in_list(const std::string& source, std::siz
   return std::regex_match(code.substr(end, line - end), next_field) ? std::optional{end} : std::nullopt;
 }
 
-// A function without a `return` that is given in a call: to study(), for example.
+// A function without a `return` that is given in a call of a function that needs its result.
 bool returns_nothing(const Error& error, const std::string& source, std::size_t offset) {
-  static const std::regex call{R"(no matching function for call to [^\n]*<lambda\()"}, word{R"(\breturn\b)"};
+  static const std::regex call{R"(no matching function for call to '(?:\w+::)*)"
+                               R"((?:(?:run_|eccentricity_)?study|(?:run_)?suite|run_bounds|hunt_and_fill|)"
+                               R"(smallest_gap(?:_of)?)\([^\n]*<lambda\()"},
+      word{R"(\breturn\b)"};
   const std::string code = code_of(source);
   if (!std::regex_search(error.text, call) || offset >= code.size()) return false;
   const std::size_t begin = code.find('{', code.find("](", offset));

@@ -69,7 +69,8 @@ Recorded accelerograms may not be redistributed and are not part of moat: tests 
 in the folder that the environment variable MOAT_RECORDS names, and are skipped when it is not set.
 
 With --all nothing may be skipped: it installs the programs that some tests need (cmake/packages/all.txt), demands
-MOAT_RECORDS, and fails when a test was skipped.)"},
+MOAT_RECORDS, and fails when a test was skipped: MOAT_FORMATS and MOAT_EXPERIMENTS name folders for tests, OPENSEES a
+program (CONTRIBUTING.md).)"},
     {"bench", "Compute the benchmarks: the paper, accuracy, experiments, isolators, performance, OpenSees", R"(
 ./moat bench paper [--out FOLDER] [--write-docs] [--coarse]
 ./moat bench accuracy [--out FOLDER] [--write-docs] [--only-random] [--models N] [--seed N] [--threads N] [--csv FILE]
@@ -132,11 +133,11 @@ For those who change moat. Runs checks one after the other, goes on when one fai
                by MOAT_WARNINGS_AS_ERRORS=ON ./moat test
   cppcheck     cppcheck finds nothing in the library (cmake/cppcheck.txt)
   tidy         clang-tidy finds nothing in the library (.clang-tidy)
-  sanitizers   all tests pass with the address and undefined-behaviour sanitizers (build/asan)
+  sanitizers   all tests pass with the address and undefined-behaviour sanitizers, and reach 90 % of the lines of the
+               library and 95 % of those of the parsers (build/asan)
   threads      studies of four threads pass with the thread sanitizer (build/tsan)
   fuzz         10,000 damaged inputs of every reader end in a result or a refusal (build/fuzz)
   faults       runs and studies that are killed, stopped or lack disk leave whole files; 4 minutes
-  coverage     the tests reach 90 % of the lines of the library, and 95 % of those of the parsers (build/coverage)
   mutants      the tests see deliberate mistakes in a copy of the code (tests/mutation)
 
   ./moat check format shell                       two of them, in a minute)"},

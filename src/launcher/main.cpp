@@ -77,9 +77,9 @@ int run_command_line(const Places& places, int count, char** words) {
 
   CLI::App* const check = app.get_subcommand("check");
   Command names;
-  check->add_option("NAME", names, "one or more of those below; if none is given all but the last two")
+  check->add_option("NAME", names, "one or more of those below; if none is given all but mutants")
       ->check(CLI::IsMember({"format", "shell", "package", "warnings", "cppcheck", "tidy", "sanitizers", "threads",
-                             "fuzz", "faults", "coverage", "mutants"}));
+                             "fuzz", "faults", "mutants"}));
   check->callback([&] { run_checks(places, names); });
 
   CLI::App* const fuzz = app.get_subcommand("fuzz");

@@ -54,7 +54,7 @@ std::string page_data(const CaseResult& result) {
   const std::size_t rows = result.histories.rows();
   if (rows < 2) return "";
   const std::vector<double>& times = result.histories.values("time");
-  const std::size_t stride = (rows - 1) / most_rows_of_script + 1;
+  const std::size_t stride = (rows - 1) / most_rows_of_charts + 1;
   // A model without drawing needs no motions.
   const std::vector<NodeMotion> motions =
       result.scene.cells.empty() ? std::vector<NodeMotion>{} : motions_of_nodes(result);

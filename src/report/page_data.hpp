@@ -7,9 +7,6 @@
 
 namespace moat::html {
 
-/// A history for the script needs rows at constant intervals. Longer ones are thinned to this many rows.
-inline constexpr std::size_t most_rows_of_script = 20'000;
-
 /// JSON with five significant digits:
 ///
 ///     {"start": s, "interval": s, "rows": n,
@@ -17,7 +14,8 @@ inline constexpr std::size_t most_rows_of_script = 20'000;
 ///      "charts": [{"title": "", "label": "", "second": {"symbol": "g", "factor": 0.102} or left out, "series":
 ///      [{"name": "", "colour": "#0072b2", "values": []}]}], "impacts": [{"where": "", "start": s, "end": s}]}
 ///
-/// The charts are history_charts(). Empty for less than two rows.
+/// The charts are history_charts(), with rows at constant intervals, most_rows_of_charts at most. Empty for less than
+/// two rows.
 std::string page_data(const CaseResult& result);
 
 }  // namespace moat::html

@@ -68,9 +68,9 @@ bool shorten(PeakGroup& group) {
 
 std::string peak_section(const CaseResult& result) {
   const std::set<std::string> constant = constant_quantities(result.histories);
-  std::vector<PeakGroup> groups = group_peaks(peaks_of_tables(result));
   bool all_shown = true;
-  for (PeakGroup& group : groups) all_shown = !shorten(group) && all_shown;
+  const std::vector<PeakGroup> groups =
+      groups_of_tables(result, [&](PeakGroup& group) { all_shown = !shorten(group) && all_shown; });
   std::string html =
       "<h2>Peaks</h2>\n" + error_bar_note(result.error_bars) +
       (result.model.diaphragms.empty() ? "<p>Positive to the right"

@@ -41,12 +41,13 @@ std::optional<Chart> clearance_chart(const StudyResult& study) {
     return {};
   const auto bounds = std::ranges::find(study.axes(), "bounds", &StudyAxis::name);
   std::map<std::size_t, Clearances> by_bound;
-  for (std::size_t number = 0; number < study.outcomes().size(); ++number) {
+  for (std::size_t number = 0; number < study.cases().count(); ++number) {
     const StudyCase each{study.cases(), number};
     Clearances& of = by_bound[bounds == study.axes().end() ? 0 : each.position(bounds->name)];
-    if (study.outcomes()[number].state != CaseState::done) ++of.unsolved;
+    const CaseOutcome outcome = study.outcome(number);
+    if (outcome.state != CaseState::done) ++of.unsolved;
     double smallest = std::numeric_limits<double>::infinity();
-    for (const NamedNumber& result : study.outcomes()[number].results)
+    for (const NamedNumber& result : outcome.results)
       if (result.quantity == "clearance_left") smallest = std::min(smallest, result.value);
     if (std::isfinite(smallest)) of.left.push_back(Length{smallest} / units::cm);
   }

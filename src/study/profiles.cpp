@@ -75,19 +75,22 @@ void add_curves(Chart& chart, const Profiles& profiles) {
 std::vector<Chart> profiles_over_records(const StudyResult& study, CaseResult like) {
   const std::string axis = axis_of_records(study);
   if (axis.empty() || study.axes()[study.cases().index_of(axis)].values.size() < 2) return {};
-  std::vector<Chart> charts;                                                           // without curves
-  std::map<std::pair<std::string, std::string>, std::map<std::string, Profiles>> all;  // by title and building, group
-  std::map<std::string, std::size_t> unsolved;                                         // by group
-  for (const auto& [group, numbers] : groups_over(study, axis))
+  using Place = std::pair<std::string, std::string>;  // title and building
+  std::vector<Chart> charts;                          // without curves
+  // The group that governs each place; the curves of all groups would need more memory than the results.
+  std::map<Place, std::pair<std::string, Profiles>> governing;
+  for (const auto& [group, numbers] : groups_over(study, axis)) {
+    std::map<Place, Profiles> of_group;
+    std::size_t unsolved = 0;
     for (const std::size_t number : numbers) {
-      const CaseOutcome& outcome = study.outcomes()[number];
-      if (outcome.state != CaseState::done) ++unsolved[group];
+      const CaseOutcome outcome = study.outcome(number);
+      if (outcome.state != CaseState::done) ++unsolved;
       like.peaks.clear();
       for (const NamedNumber& each : outcome.results)
         like.peaks.push_back({each.quantity, each.where, each.value, each.unit});
       for (Chart& chart : floor_profiles(like)) {
         for (Series& series : chart.series) {
-          Profiles& profiles = all[{chart.title, series.name}][group];
+          Profiles& profiles = of_group[{chart.title, series.name}];
           (has_fallen(outcome) ? profiles.fallen : profiles.records).push_back(std::move(series));
         }
         chart.series.clear();
@@ -95,19 +98,22 @@ std::vector<Chart> profiles_over_records(const StudyResult& study, CaseResult li
         if (std::ranges::find(charts, chart.title, &Chart::title) == charts.end()) charts.push_back(std::move(chart));
       }
     }
+    for (auto& [place, profiles] : of_group) {
+      if (profiles.count() < 2) continue;
+      profiles.unsolved = unsolved;
+      const auto [known, is_first] = governing.try_emplace(place);
+      if (is_first || profiles.rank() > known->second.second.rank()) known->second = {group, std::move(profiles)};
+    }
+  }
   std::vector<Chart> filled;
   for (const Chart& chart : charts)
-    for (auto& [key, groups] : all) {
-      if (key.first != chart.title) continue;
-      std::erase_if(groups, [](const auto& group) { return group.second.count() < 2; });
-      if (groups.empty()) continue;
-      auto& [group, governing] =
-          *std::ranges::max_element(groups, {}, [](const auto& each) { return each.second.rank(); });
-      governing.unsolved = unsolved[group];
+    for (const auto& [place, of_group] : governing) {
+      if (place.first != chart.title) continue;
+      const auto& [group, profiles] = of_group;
       Chart& shown = filled.emplace_back(chart);
-      if (!key.second.empty()) shown.title += ", " + key.second;
+      if (!place.second.empty()) shown.title += ", " + place.second;
       if (!group.empty()) shown.title += ", " + group;
-      add_curves(shown, governing);
+      add_curves(shown, profiles);
     }
   return filled;
 }

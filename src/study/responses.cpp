@@ -26,7 +26,7 @@ std::vector<StudyResponse> responses_of(const StudyResult& study) {
       const bool of_places = !column.where.empty();
       list.push_back({column.quantity, of_places ? (smallest ? "Smallest " : "Largest ") + words : capitalised(words),
                       words + (unit.symbol == "1" ? "" : " [" + with_raised_digits(unit.symbol) + "]"),
-                      std::vector(study.outcomes().size(), Limits::quiet_NaN())});
+                      std::vector(study.cases().count(), Limits::quiet_NaN())});
     }
     std::vector<double>& values = list[found->second].values;
     for (std::size_t i = 0; i < values.size(); ++i) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -15,32 +17,37 @@
 namespace moat {
 
 /// All cases of a study as one table: a column for every axis, then one for every result, a row for every case.
-/// A result that a case does not have, or that failed or is still open, is NaN.
+/// A result that a case does not have, or that failed or is still open, is NaN. Copies share their contents, so that
+/// they need no memory.
 class StudyResult {
  public:
   /// An axis that is held: its name and a position on it.
   using Fixed = std::vector<std::pair<std::string, std::size_t>>;
 
+  /// All cases are open.
+  explicit StudyResult(StudyCases cases);
   /// One outcome for every case.
-  StudyResult(StudyCases cases, std::vector<CaseOutcome> outcomes);
-  // All of these are defaults; compiled in the library, they cost no time in scripts.
-  StudyResult(const StudyResult& other);                 ///< Makes a copy.
-  StudyResult(StudyResult&& other) noexcept;             ///< Takes all of it.
-  StudyResult& operator=(const StudyResult& other);      ///< Makes a copy.
-  StudyResult& operator=(StudyResult&& other) noexcept;  ///< Takes all of it.
-  ~StudyResult();
+  StudyResult(StudyCases cases, const std::vector<CaseOutcome>& outcomes);
+
+  /// Gives a case its outcome, in the place of the former one. Copies that were made before stay as they are.
+  void set(std::size_t number, CaseOutcome outcome);
 
   /// All cases, computed or not.
-  [[nodiscard]] const StudyCases& cases() const { return cases_; }
+  [[nodiscard]] const StudyCases& cases() const;
   /// The axes of the cases.
-  [[nodiscard]] const std::vector<StudyAxis>& axes() const { return cases_.axes(); }
-  /// One for every case, in their order.
-  [[nodiscard]] const std::vector<CaseOutcome>& outcomes() const { return outcomes_; }
-  /// A row for every case: its values of the axes and its results, NaN where it has none.
-  [[nodiscard]] const Table& table() const { return table_; }
-  /// The table with the number of every case before the axes, and its state, reason, steps, energy error and seconds
-  /// behind them, for files.
-  [[nodiscard]] Table case_table() const;
+  [[nodiscard]] const std::vector<StudyAxis>& axes() const { return cases().axes(); }
+  /// The outcome of one case; it is made of the table, where its results are.
+  [[nodiscard]] CaseOutcome outcome(std::size_t number) const;
+  /// How far a case has come.
+  [[nodiscard]] CaseState state(std::size_t number) const;
+  /// The wall clock of a case, s.
+  [[nodiscard]] double seconds(std::size_t number) const;
+  /// A row for every case: its values of the axes and its results, NaN where it has none. Results
+  /// have the order in which the cases bring them, whichever was set first.
+  [[nodiscard]] const Table& table() const;
+  /// The rows of the cases from `first` to that before `last`, with the number of every case before the axes, and its
+  /// state, reason, steps, energy error and seconds behind them, for files.
+  [[nodiscard]] Table case_table(std::size_t first, std::size_t last) const;
   /// How many cases are in a state.
   [[nodiscard]] std::size_t count(CaseState state) const;
   /// The cases whose axes stand at the given positions, ascending. Throws InputError for an unknown axis.
@@ -54,10 +61,12 @@ class StudyResult {
                                            const Fixed& fixed = {}) const;
 
  private:
-  StudyCases cases_;
-  std::vector<CaseOutcome> outcomes_;
-  Table table_;
+  struct Contents;
+  std::shared_ptr<Contents> contents_;
 };
+
+/// Writes case_table() of all cases as CSV. Throws FileError where the file cannot be written.
+void write_csv(const StudyResult& result, const std::filesystem::path& path);
 
 /// Some cases of a study failed. The others were computed: `result` has them.
 class StudyError : public Error {

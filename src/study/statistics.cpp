@@ -103,7 +103,7 @@ std::string in_report(double value, const std::string& unit) {
 StudyGroups groups_over(const StudyResult& study, std::string_view axis) {
   StudyGroups groups;
   std::unordered_map<std::string, std::size_t> places;
-  for (std::size_t number = 0; number < study.outcomes().size(); ++number) {
+  for (std::size_t number = 0; number < study.cases().count(); ++number) {
     const std::string name = other_axes(StudyCase{study.cases(), number}, axis);
     const auto [found, is_new] = places.try_emplace(name, groups.size());
     if (is_new) groups.push_back({name, {}});
@@ -152,7 +152,7 @@ std::vector<RecordStatistics> statistics_over(const StudyResult& study, std::str
       std::vector<double> values;
       std::vector<std::size_t> of_values;
       for (const std::size_t number : numbers) {
-        if (study.outcomes()[number].state != CaseState::done) ++each.unsolved;
+        if (study.state(number) != CaseState::done) ++each.unsolved;
         if (std::isnan(column.values[number])) continue;
         const bool fell = collapsed != columns.end() && collapsed->values[number] > 0.0;
         if (fell) ++each.collapsed;
@@ -245,7 +245,7 @@ std::string statistics_section(const StudyResult& study, const std::vector<Recor
   if (unsolved > 0)
     html += std::to_string(unsolved) + " have no result and do not count: this is not the whole suite. ";
   for (const auto& [group, numbers] : groups_over(study, axis))
-    if (std::ranges::all_of(numbers, [&](std::size_t i) { return study.outcomes()[i].state != CaseState::done; }))
+    if (std::ranges::all_of(numbers, [&](std::size_t i) { return study.state(i) != CaseState::done; }))
       html += html::escaped(group) + " has no result at all. ";
   return html + "</p>\n";
 }

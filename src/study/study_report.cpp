@@ -127,7 +127,7 @@ std::string case_section(const StudyResult& result) {
   for (const CaseState state : {CaseState::done, CaseState::failed, CaseState::not_converged, CaseState::open})
     html += number_row("of these " + std::string{name_of(state)}, std::to_string(result.count(state)));
   double seconds = 0.0;
-  for (const CaseOutcome& outcome : result.outcomes()) seconds += outcome.seconds;
+  for (std::size_t number = 0; number < result.cases().count(); ++number) seconds += result.seconds(number);
   html += number_row("Time of all cases", to_significant(seconds, 4) + " s");
   for (const StudyAxis& axis : result.axes())
     html += text_row("Axis " + axis.name + (axis.unit.empty() ? "" : " [" + axis.unit + "]"),

@@ -40,17 +40,17 @@ std::string state_line(const StudyResult& result) {
 
 std::string slowest_lines(const StudyResult& result) {
   std::vector<std::size_t> numbers;
-  for (std::size_t number = 0; number < result.outcomes().size(); ++number)
-    if (result.outcomes()[number].state != CaseState::open) numbers.push_back(number);
+  for (std::size_t number = 0; number < result.cases().count(); ++number)
+    if (result.state(number) != CaseState::open) numbers.push_back(number);
   if (numbers.empty()) return "";
   const std::size_t shown = std::min(numbers.size(), shown_cases);
   std::ranges::partial_sort(numbers, numbers.begin() + static_cast<std::ptrdiff_t>(shown), {}, [&](std::size_t number) {
-    return std::pair{-result.outcomes()[number].seconds, number};
+    return std::pair{-result.seconds(number), number};
   });
   std::string text = "slowest cases\n";
   for (std::size_t i = 0; i < shown; ++i)
     text += "  case " + std::to_string(numbers[i]) + ", " + StudyCase{result.cases(), numbers[i]}.description() + ": " +
-            to_significant(result.outcomes()[numbers[i]].seconds, 3) + " s\n";
+            to_significant(result.seconds(numbers[i]), 3) + " s\n";
   return text;
 }
 
@@ -102,7 +102,7 @@ std::string description_of(const StoredStudy& study) {
   std::string text = study.title.empty() ? "" : study.title + "\n";
   text += axis_lines(result.cases()) + state_line(result);
   double seconds = 0.0;
-  for (const CaseOutcome& outcome : result.outcomes()) seconds += outcome.seconds;
+  for (std::size_t number = 0; number < result.cases().count(); ++number) seconds += result.seconds(number);
   text += "time of all cases: " + to_significant(seconds, 4) + " s\n";
   if (const std::string failures = failure_message(result); !failures.empty()) text += failures + "\n";
   return text + slowest_lines(result) + session_lines(study);

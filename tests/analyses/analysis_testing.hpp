@@ -4,29 +4,13 @@
 #include <cmath>
 #include <functional>
 #include <span>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "ended_case.hpp"
 #include "moat.hpp"
 #include "small_models.hpp"
 
 namespace moat::testing {
-
-/// The samples of an acceleration of the ground, m/s^2, as a function of time in s, from 0 s on.
-template <class Acceleration>
-GroundMotion sampled(const std::string& name, Time duration, Time time_step, Acceleration acceleration) {
-  const auto intervals = static_cast<int>(std::lround(duration / time_step));
-  std::vector<double> samples;
-  for (int i = 0; i <= intervals; ++i) samples.push_back(acceleration(time_step.si() * i));
-  return GroundMotion{name, time_step.si(), std::move(samples)};
-}
-
-/// A ground that does not move, for analyses that start from initial values.
-inline GroundMotion still_ground(Time duration, Time time_step = 10 * units::ms) {
-  return sampled("still ground", duration, time_step, [](double) { return 0.0; });
-}
 
 /// A ground whose acceleration stays the same from the first instant on.
 inline GroundMotion constant_acceleration(double acceleration, Time duration, Time time_step = 10 * units::ms) {

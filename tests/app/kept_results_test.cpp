@@ -95,7 +95,7 @@ TEST_F(KeptResults, AreAllButTheFileInTheWay) {
   result.offered = {{"tilt", "body", "m"}};  // a chart
   for (const char* blocked : most_important_first) {
     fs::remove_all(folder);
-    for (const char* old : {"frames/frame_000000.vtu", "frames.pvd", "moat.py"}) {
+    for (const char* old : {"frames/frame_000000.vtu", "frames.pvd", "moat.py", "checkpoint"}) {
       fs::create_directories((folder / old).parent_path());
       std::ofstream{folder / old} << "old";
     }
@@ -105,6 +105,7 @@ TEST_F(KeptResults, AreAllButTheFileInTheWay) {
     const std::vector<std::string> kept = names_behind("Kept: ", sentence + "\n"),
                                    missing = names_behind("Left out: ", sentence + "\n");
     for (const char* old : {"frames", "frames.pvd", "moat.py"}) EXPECT_FALSE(fs::exists(folder / old)) << old;
+    EXPECT_TRUE(fs::exists(folder / "checkpoint")) << "from which the run goes on once there is room";
     EXPECT_EQ(missing, (std::vector<std::string>{"frames", blocked})) << sentence;
     EXPECT_EQ(kept.size(), most_important_first.size() - 1) << sentence;
     for (const std::string& name : kept) EXPECT_TRUE(fs::exists(folder / name)) << name;

@@ -2,11 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
 #include "app/script/script.hpp"
 #include "base/units.hpp"
+#include "in_folder.hpp"
 #include "message_of.hpp"
 #include "motions/near_fault_pulse.hpp"
 
@@ -59,6 +62,25 @@ TEST(RecordOptions, OfATableNeedARecord) {
     EXPECT_EQ(message_of([&] { (void)script.plan_motion(preset); }),
               "--records-table: give it together with --record FILE or FOLDER, and without --record-2.");
   }
+}
+
+using RecordTable = testing::InFolder;
+
+TEST_F(RecordTable, IsLookedForWhereTheProgramRuns) {
+  std::filesystem::create_directory(folder / "records");
+  for (const char* name : {"A000.AT2", "A090.AT2"})
+    std::ofstream{folder / "records" / name} << "PEER NGA STRONG MOTION DATABASE RECORD\nsynthetic\nACCELERATION TIME "
+                                                "SERIES IN UNITS OF G\nNPTS= 4, DT= .1 SEC\n 0.0 0.1 -0.2 0.0\n";
+  std::ofstream{folder / "table.csv"} << "file,sign\nA000.AT2,-1\nA090.AT2,-1\n";
+  std::vector<std::string> line{"script", "--record", (folder / "records").string(), "--records-table",
+                                std::filesystem::relative(folder / "table.csv").string()};
+  std::vector<char*> arguments;
+  for (std::string& word : line) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  Script script{static_cast<int>(line.size()), arguments.data(), "records"};
+  const PlanMotion motion = script.plan_motion({near_fault_pulse(), near_fault_pulse(), {}});
+  EXPECT_NEAR(motion.first.samples()[2], 0.2 * 9.80665, 1e-12);
+  EXPECT_NEAR(motion.second.samples()[2], 0.2 * 9.80665, 1e-12);
 }
 
 TEST_F(OptionNames, AreLettersDigitsDashesAndUnderscores) {

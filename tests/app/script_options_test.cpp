@@ -243,5 +243,14 @@ TEST_F(ScriptOptions, AreCheckedAtTheEndOfAScriptThatDoesNotCheckThem) {
   EXPECT_NE(loop({"--help"}).output.find("--gap [m]"), std::string::npos);
 }
 
+TEST_F(ScriptOptions, RefuseFramesWithoutNumber) {
+  const ProgramResult result =
+      testing::run_program(FIRST_TOUR, {"--end", "10 s", "--frame-interval", "1e-6 s", "--out", "out"}, folder);
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_NE(result.errors.find("number of frames (end / frame-interval) = "), std::string::npos) << result.errors;
+  EXPECT_NE(result.errors.find("Give a longer --frame-interval"), std::string::npos) << result.errors;
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
 }  // namespace
 }  // namespace moat

@@ -8,6 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "app/command_line.hpp"
+#include "app/script/script_origin.hpp"
+#include "app/script/script_study_options.hpp"
 #include "base/sha256.hpp"
 #include "run_program.hpp"
 
@@ -95,6 +98,33 @@ TEST_F(ScriptOrigin, BothRecordsInPlanAreKnownByPathHashAndScale) {
   }
   EXPECT_EQ(motion.at("file"), motion.at("components").at(0).at("file"));
   EXPECT_NEAR(motion.at("scale_factor").get<double>(), 0.5, 1e-15);
+}
+
+// Runs have options of these names on which nothing depends; those of a script with a study are its own.
+TEST(IdentityOfScript, HasTheOwnOptionsOfAStudy) {
+  std::string program = "script";
+  std::vector<char*> arguments{program.data(), nullptr};
+  CommandLine line{1, arguments.data(), "study"};
+  for (const char* name : {"force", "checkpoint", "resume", "threads"}) line.look_up(name, "7 N", "", "TEXT");
+  const StudyIdentity identity = identity_of_script(line, {}, ScriptStudyOptions::without_influence);
+  for (const char* own : {"option --force", "option --checkpoint", "option --resume"})
+    EXPECT_EQ(identity.count(own), 1u) << own;
+  EXPECT_EQ(identity.count("option --threads"), 0u);
+}
+
+TEST_F(ScriptOrigin, ANumberIsNoFolderOfItsName) {
+  std::filesystem::create_directory(folder / "400");
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(folder);
+  std::string program = "script";
+  std::vector<char*> arguments{program.data(), nullptr};
+  CommandLine line{1, arguments.data(), "study"};
+  line.look_up("cases", "400", "", "INTEGER");
+  line.look_up("records", "./400", "", "TEXT");
+  const StudyIdentity identity = identity_of_script(line, {}, {});
+  std::filesystem::current_path(before);
+  EXPECT_EQ(identity.at("option --cases"), "400");
+  EXPECT_EQ(identity.at("option --records"), (std::filesystem::canonical(folder) / "400").string());
 }
 
 }  // namespace

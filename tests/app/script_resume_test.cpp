@@ -3,12 +3,17 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <functional>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <thread>
 
 #include "app/script/checkpoint_file.hpp"
+#include "app/script/frames_of_script.hpp"
+#include "base/units.hpp"
 #include "in_folder.hpp"
 #include "message_of.hpp"
+#include "model/model.hpp"
 #include "random_draws.hpp"
 #include "run_program.hpp"
 
@@ -20,9 +25,9 @@ using nlohmann::json;
 
 class ResumedRun : public testing::InTemporaryFolder {
  protected:
-  // A run of seconds, with a companion.
+  // A run of about a second, with a companion.
   static std::vector<std::string> arguments(const std::string& out, std::vector<std::string> more = {}) {
-    std::vector<std::string> all{"--quiet", "--check",          "--no-sensitivity", "--step", "1e-4 s", "--end",
+    std::vector<std::string> all{"--quiet", "--check",          "--no-sensitivity", "--step", "2e-5 s", "--end",
                                  "5 s",     "--frame-interval", "0.25 s",           "--out",  out};
     all.insert(all.end(), more.begin(), more.end());
     return all;
@@ -30,30 +35,31 @@ class ResumedRun : public testing::InTemporaryFolder {
   testing::ProgramResult run(const std::string& out, std::vector<std::string> more = {}) {
     return testing::run_program(FIRST_TOUR, arguments(out, std::move(more)), folder);
   }
-  // Starts a run that writes checkpoints as often as it may, and ends it by a signal after its first one.
-  testing::ProgramResult ended_behind_checkpoint(int signal, std::vector<std::string> more = {},
-                                                 const std::string& at = "out") {
+  // False if that does not happen within a minute.
+  static bool wait_for(const std::function<bool()>& event) {
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes{1};
+    while (!event() && std::chrono::steady_clock::now() < deadline)
+      std::this_thread::sleep_for(std::chrono::milliseconds{1});
+    return event();
+  }
+  // Starts a run that writes checkpoints as often as it may, and sends it a signal behind an event, or some time later.
+  testing::ProgramResult ended_behind(const std::function<bool()>& event, int signal,
+                                      std::vector<std::string> more = {}, std::chrono::milliseconds later = {}) {
     more.insert(more.end(), {"--checkpoint", "1 ms"});
     const testing::RunningProgram run{FIRST_TOUR, arguments("out", std::move(more)), folder};
-    while (!fs::exists(folder / at / "checkpoint")) std::this_thread::sleep_for(std::chrono::milliseconds{1});
+    EXPECT_TRUE(wait_for(event));
+    std::this_thread::sleep_for(later);
     run.send(signal);
     return run.wait();
   }
-  // The same after some time.
-  testing::ProgramResult ended(int signal, std::chrono::milliseconds moment, std::vector<std::string> more = {}) {
-    more.insert(more.end(), {"--checkpoint", "1 ms"});
-    const testing::RunningProgram run{FIRST_TOUR, arguments("out", std::move(more)), folder};
-    std::this_thread::sleep_for(moment);
-    run.send(signal);
-    return run.wait();
+  [[nodiscard]] std::function<bool()> checkpoint_in(const std::string& name) const {
+    return [file = folder / name / "checkpoint"] { return fs::exists(file); };
   }
-  // Kills a run behind its first checkpoint.
-  void kill_one() {
-    const testing::RunningProgram run{FIRST_TOUR, arguments("out", {"--checkpoint", "1 ms"}), folder};
-    while (!fs::exists(folder / "out/checkpoint")) std::this_thread::sleep_for(std::chrono::milliseconds{5});
-    std::this_thread::sleep_for(std::chrono::milliseconds{200});
-    run.send(SIGKILL);
-    run.wait();
+  static std::set<std::string> names_in(const fs::path& results) {
+    std::set<std::string> names;
+    for (const auto& entry : fs::recursive_directory_iterator{results})
+      names.insert(entry.path().lexically_relative(results).string());
+    return names;
   }
   static json summary_without_times(const fs::path& results) {
     json summary = json::parse(testing::text_of(results / "summary.json"));
@@ -64,32 +70,43 @@ class ResumedRun : public testing::InTemporaryFolder {
     return summary;
   }
   void expect_results_of_whole(const std::string& out) {
+    EXPECT_EQ(names_in(folder / out), names_in(folder / "whole"));
     EXPECT_EQ(summary_without_times(folder / out), summary_without_times(folder / "whole"));
-    for (const auto& entry : fs::recursive_directory_iterator{folder / "whole"}) {
-      const fs::path name = entry.path().lexically_relative(folder / "whole");
-      if (entry.is_directory() || name == "summary.json" || name == "report.html") continue;
-      EXPECT_TRUE(testing::text_of(folder / out / name) == testing::text_of(entry.path())) << name;
+    for (const std::string& name : names_in(folder / "whole")) {
+      const fs::path file = folder / "whole" / name;
+      if (fs::is_directory(file) || name == "summary.json" || name == "report.html") continue;
+      EXPECT_TRUE(testing::text_of(folder / out / name) == testing::text_of(file)) << name;
     }
-    EXPECT_FALSE(fs::exists(folder / out / "checkpoint"));
-    EXPECT_FALSE(fs::exists(folder / out / "unfinished"));
   }
 };
 
 TEST_F(ResumedRun, IsThatOfAnUndisturbedOneHoweverOftenItIsKilled) {
   ASSERT_EQ(run("whole").exit_code, 0);
   testing::RandomDraws random{20};
-  std::vector<std::string> resume;
-  for (int kill = 0; kill < 20; ++kill) {
-    const testing::ProgramResult killed = ended(SIGKILL, std::chrono::milliseconds{random.integer(50, 500)}, resume);
-    if (killed.exit_code == 0) break;
-    EXPECT_EQ(killed.exit_code, -1) << killed.errors;
-    if (fs::exists(folder / "out/checkpoint"))
-      resume = {"--resume"};
-    else
-      fs::remove_all(folder / "out");
+  const auto time_of_checkpoint = [&] {
+    std::error_code none;
+    return fs::last_write_time(folder / "out/checkpoint", none);
+  };
+  // A run that was killed behind its last step has no checkpoint any more.
+  const auto resume = [&]() -> std::vector<std::string> {
+    if (checkpoint_in("out")()) return {"--resume"};
+    fs::remove_all(folder / "out");
+    return {};
+  };
+  // Every run gets ahead by a checkpoint at least. The first ones are killed so soon that none reaches its end.
+  int resumes = 0, exit_code = -1;
+  for (int kill = 0; kill < 20 && exit_code != 0; ++kill) {
+    const std::vector<std::string> more = resume();
+    resumes += more.empty() ? 0 : 1;
+    const auto is_new = [&, before = time_of_checkpoint()] { return time_of_checkpoint() != before; };
+    const std::chrono::milliseconds later{random.integer(0, 15 * kill)};
+    const testing::ProgramResult killed = ended_behind(is_new, SIGKILL, more, later);
+    exit_code = killed.exit_code;
+    ASSERT_LE(exit_code, 0) << killed.errors;
   }
-  if (fs::exists(folder / "out/checkpoint")) {
-    const testing::ProgramResult last = run("out", {"--resume"});
+  EXPECT_GE(resumes, 5);
+  if (exit_code != 0) {
+    const testing::ProgramResult last = run("out", resume());
     ASSERT_EQ(last.exit_code, 0) << last.errors;
   }
   expect_results_of_whole("out");
@@ -97,7 +114,7 @@ TEST_F(ResumedRun, IsThatOfAnUndisturbedOneHoweverOftenItIsKilled) {
 
 TEST_F(ResumedRun, FollowsTheCommandThatAStoppedRunPrints) {
   ASSERT_EQ(run("whole").exit_code, 0);
-  const testing::ProgramResult stopped = ended_behind_checkpoint(SIGTERM);
+  const testing::ProgramResult stopped = ended_behind(checkpoint_in("out"), SIGTERM);
   ASSERT_EQ(stopped.exit_code, 143) << stopped.errors;
   EXPECT_TRUE(fs::exists(folder / "out/summary.json"));
   const std::string key = "moat: to go on: ";
@@ -113,7 +130,7 @@ TEST_F(ResumedRun, ReplacesOldResultsAtItsEndOnly) {
   ASSERT_EQ(run("whole").exit_code, 0);
   ASSERT_EQ(run("out", {"--gap", "9 cm"}).exit_code, 0);
   const std::string old = testing::text_of(folder / "out/summary.json");
-  ended_behind_checkpoint(SIGKILL, {"--force"}, "out.new");
+  ended_behind(checkpoint_in("out.new"), SIGKILL, {"--force"});
   EXPECT_EQ(testing::text_of(folder / "out/summary.json"), old);
   const testing::ProgramResult resumed = run("out", {"--force", "--resume"});
   EXPECT_EQ(resumed.exit_code, 0) << resumed.errors;
@@ -123,16 +140,17 @@ TEST_F(ResumedRun, ReplacesOldResultsAtItsEndOnly) {
 
 TEST_F(ResumedRun, HasTheHistoriesUpToTheLastFlush) {
   ASSERT_EQ(run("whole").exit_code, 0);
-  kill_one();
-  const std::string whole = testing::text_of(folder / "whole/histories.csv"),
-                    part = testing::text_of(folder / "out/histories.csv");
-  const std::string lines = part.substr(0, part.rfind('\n') + 1);
-  EXPECT_GT(std::ranges::count(lines, '\n'), 2);
-  EXPECT_TRUE(whole.starts_with(lines));
+  const auto lines = [&] {
+    const fs::path file = folder / "out/histories.csv";
+    const std::string part = fs::exists(file) ? testing::text_of(file) : "";
+    return part.substr(0, part.rfind('\n') + 1);
+  };
+  ended_behind([&] { return std::ranges::count(lines(), '\n') > 2; }, SIGKILL);
+  EXPECT_TRUE(testing::text_of(folder / "whole/histories.csv").starts_with(lines()));
 }
 
 TEST_F(ResumedRun, RefusesADamagedOrAnotherCheckpoint) {
-  kill_one();
+  ended_behind(checkpoint_in("out"), SIGKILL);
   const fs::path file = folder / "out/checkpoint";
   const std::string good = testing::text_of(file);
   const auto refusal = [&](std::vector<std::string> more = {}) {
@@ -175,9 +193,9 @@ TEST_F(ResumedRun, RefusesADamagedOrAnotherCheckpoint) {
 }
 
 TEST_F(ResumedRun, SaysWhyThereIsNoCheckpoint) {
-  const testing::RunningProgram run{"/usr/bin/env", {"MOAT_TEST_PAUSE=1", OBSERVER_SCRIPT, "--out", "out"}, folder};
-  while (!fs::exists(folder / "out/unfinished")) std::this_thread::sleep_for(std::chrono::milliseconds{5});
-  std::this_thread::sleep_for(std::chrono::milliseconds{100});
+  // Its steps are so short that it would take minutes.
+  const testing::RunningProgram run{OBSERVER_SCRIPT, {"--out", "out", "--step", "1e-6 s", "--end", "30 s"}, folder};
+  EXPECT_TRUE(wait_for([&] { return fs::exists(folder / "out/unfinished"); }));
   run.send(SIGTERM);
   const testing::ProgramResult stopped = run.wait();
   EXPECT_EQ(stopped.exit_code, 143) << stopped.errors;
@@ -185,6 +203,29 @@ TEST_F(ResumedRun, SaysWhyThereIsNoCheckpoint) {
             std::string::npos)
       << stopped.errors;
   EXPECT_FALSE(fs::exists(folder / "out/checkpoint"));
+}
+
+using FramesOfResumedRun = testing::InTemporaryFolder;
+
+TEST_F(FramesOfResumedRun, ThatFailDoNotHideTheStateBehindThem) {
+  Model model;
+  add(model, Node{.name = "body", .mass = 1 * units::kg});
+  std::ofstream{folder / "file"} << "in the way";
+  for (const auto& [before, now] : {std::pair{"out", "file"}, {"file", "out"}, {"file", "file"}, {"out", "out"}}) {
+    StateArchive archive;
+    int behind = 7;
+    FramesOfScript written{model, folder / before, 0.1};
+    written.archive(archive);
+    archive(behind);
+    StateArchive saved{archive.take()};
+    behind = 0;
+    FramesOfScript read{model, folder / now, 0.1};
+    read.archive(saved);
+    saved(behind);
+    EXPECT_EQ(behind, 7);
+    saved.require_end();
+    EXPECT_EQ(read.failure().empty(), before == std::string{"out"} && now == std::string{"out"}) << read.failure();
+  }
 }
 
 TEST(Checkpoint, NamesAllThatDiffers) {

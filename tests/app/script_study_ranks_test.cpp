@@ -19,12 +19,13 @@ class StudyOnRanks : public DisturbedStudy {
     if (std::string{MPIRUN}.empty())
       GTEST_SKIP() << "moat was built without MPI, or there is no mpirun (cmake/packages/mpi.txt)";
   }
-  static std::vector<std::string> job(int ranks, std::vector<std::string> arguments) {
+  static std::vector<std::string> job(int ranks, const std::vector<std::string>& arguments,
+                                      const char* script = STUDY_SCRIPT) {
     std::vector<std::string> words{"-n", std::to_string(ranks), "--oversubscribe", "--bind-to", "none"};
     // Open MPI keeps memory in plugins that it unloads: a sanitizer could name neither as known.
     words.insert(words.end(), {"-x", "ASAN_OPTIONS=detect_leaks=0"});
     if (::geteuid() == 0) words.emplace_back("--allow-run-as-root");
-    words.emplace_back(STUDY_SCRIPT);
+    words.emplace_back(script);
     words.insert(words.end(), arguments.begin(), arguments.end());
     return words;
   }
@@ -45,6 +46,21 @@ TEST_F(StudyOnRanks, HasTheSameContentsForAnyNumberOfRanks) {
     EXPECT_EQ(result.output.find("impacts\n"), result.output.rfind("impacts\n")) << "one rank speaks";
     EXPECT_NE(result.output.find("impacts\n"), std::string::npos) << result.output;
     EXPECT_TRUE(answer_of(file(out), "SELECT engine FROM sessions").starts_with(std::to_string(ranks) + " rank"));
+  }
+}
+
+TEST_F(StudyOnRanks, OfRandomModelsHasTheSameBitsForAnyNumberOfRanks) {
+  std::mt19937 random{20261128};
+  for (int study = 0; study < 3; ++study) {
+    const std::string first = std::to_string(std::uniform_int_distribution<int>{0, 1'000'000}(random));
+    const ProgramResult alone =
+        run_program(RANDOM_STUDY_SCRIPT, {"--first", first, "--threads", "1", "--out", "alone" + first}, folder);
+    ASSERT_EQ(alone.exit_code, 0) << alone.errors;
+    const int ranks = std::uniform_int_distribution<int>{2, 4}(random);
+    const ProgramResult shared =
+        run_program(MPIRUN, job(ranks, {"--first", first, "--out", "ranks" + first}, RANDOM_STUDY_SCRIPT), folder);
+    ASSERT_EQ(shared.exit_code, 0) << shared.errors;
+    EXPECT_EQ(contents_of(file("ranks" + first)), contents_of(file("alone" + first))) << first << " on " << ranks;
   }
 }
 

@@ -40,8 +40,8 @@ inline std::string contents_of(const fs::path& file) {
   std::ostringstream text;
   text << std::hexfloat << study.title << "\n";
   for (const auto& [name, value] : study.versions[study.current_version]) text << name << "=" << value << "\n";
-  for (std::size_t number = 0; number < study.result.outcomes().size(); ++number) {
-    const CaseOutcome& outcome = study.result.outcomes()[number];
+  for (std::size_t number = 0; number < study.result.cases().count(); ++number) {
+    const CaseOutcome outcome = study.result.outcome(number);
     text << StudyCase{study.result.cases(), number}.description() << ": " << name_of(outcome.state) << outcome.reason
          << outcome.steps;
     for (const FileRead& each : outcome.files) text << " " << each.path << " " << each.sha256;

@@ -19,6 +19,17 @@ TEST(HermiteCubic, IsTheCubicThroughItsEnds) {
   }
 }
 
+// A cubic whose rate has two zeros, one of them inside the step.
+TEST(HermiteCubic, TurnsWhereItsRateIsZero) {
+  for (const double inside : {1.05, 1.1, 1.35})
+    for (const double outside : {-3.0, 0.9, 1.5, 7.0}) {
+      const auto path = [&](double t) { return t * (t * (t / 3.0 - 0.5 * (inside + outside)) + inside * outside); };
+      const auto slope = [&](double t) { return (t - inside) * (t - outside); };
+      const HermiteCubic cubic{path(start), slope(start), path(start + h), slope(start + h), h};
+      EXPECT_NEAR(cubic.turn(), (inside - start) / h, 1e-12) << inside << " and " << outside;
+    }
+}
+
 // A quintic with its first two derivatives.
 double quintic(double t) { return value(t) + t * t * t * t * (2.0 - 3.0 * t); }
 double quintic_rate(double t) { return rate(t) + t * t * t * (8.0 - 15.0 * t); }

@@ -23,7 +23,7 @@ class EqualAnswers : public paper::InFolder {
  protected:
   void SetUp() override {
     InFolder::SetUp();
-    if (!installed) GTEST_SKIP() << "OPENSEES names no program.";
+    if (!installed) GTEST_SKIP() << "set OPENSEES to the program OpenSees to run this test";
   }
   // The largest error of OpenSees' values with steps of a twentieth of the interval.
   [[nodiscard]] double error(const Case& of) const {

@@ -66,7 +66,7 @@ Constructions bearings() {
          add(model, LeadRubberBearing{
                         .yield_force = 1 * MN, .yield_displacement = 1 * cm, .post_yield_stiffness = 1 * MN / m});
        },
-       {"LeadRubberBearing \"bearings\"", "upper", "is not given", "a node of this model", "Set it to"}},
+       {"LeadRubberBearing \"bearings\"", "upper", "is not given", "Set it to", "a node of this model"}},
       {"no bearing side by side",
        isolator([](auto& i) { i.count = 0; }),
        {"Isolator \"bearings\"", "count", "0", ">= 1", "Give a number in this range"}},
@@ -109,7 +109,7 @@ Constructions bearings() {
          Model model;
          add(model, Node{.name = "body", .mass = 1 * kg, .free = true});
          BearingCheckRecorder checks{CheckRules::none, {{"bearnigs", {.stroke = 1 * m}}}};
-         CaseRun run{model, still(1.0)};
+         CaseRun run{model, still_ground(1 * s)};
          run.attach(checks);
          run.run();
        },

@@ -66,7 +66,8 @@ Constructions buildings() {
       {"a building with two kinds of columns",
        shear_building(
            [](auto& house) { house.storey = YieldingStorey{.stiffness = 1 * GN / m, .yield_force = 1 * MN}; }),
-       {"ShearBuilding \"house\"", "storey_stiffness and storey", "are given", "one of them", "Give one"}},
+       {"ShearBuilding \"house\"", "storey_stiffness and storey", "are given", "Give one of them",
+        "storey for others"}},
       {"a building of no height",
        shear_building([](auto& house) { house.storey_height = 0 * m; }),
        {"ShearBuilding \"house\"", "storey_height", "0 m", "> 0 m and finite", "Check its sign and its unit"}},
@@ -81,7 +82,7 @@ Constructions buildings() {
       {"a building on bearings of a node",
        shear_building(
            [](auto& house) { house.isolation = Isolator<Linear>{.upper = ground, .law = {.stiffness = 1 * MN / m}}; }),
-       {"ShearBuilding \"house\"", "isolation.upper", "is given", "the bearings carry the base", "Leave it out"}},
+       {"ShearBuilding \"house\"", "isolation.upper", "is given", "Leave it out", "the bearings carry the base"}},
       {"a building with a line for its width",
        shear_building([](auto& house) { house.half_width = 0 * m; }),
        {"ShearBuilding \"house\"", "half_width", "0 m", "> 0 m and finite", "Check its sign and its unit"}},
@@ -91,7 +92,7 @@ Constructions buildings() {
          for (int i = 0; i < 2; ++i)
            add(model, ShearBuilding{.storeys = 1, .floor_mass = 1 * tonne, .storey_stiffness = 1 * MN / m});
        },
-       {"ShearBuilding", "floor 1", "has a node", "its own .name", "Give every building"}},
+       {"ShearBuilding", "has a node", "floor 1", "Give every building", "its own .name"}},
       {"a building of floors of another model",
        [] {
          Model model;
@@ -113,7 +114,7 @@ Constructions buildings() {
        {"RayleighDamping", "ratio", "5", ">= 0 and < 1", "5 % of critical is 0.05"}},
       {"damping of two ratios in one",
        damping({.ratio = 0.05, .ratios = {0.05, 0.03}, .periods = {1 * s, 0.1 * s}}),
-       {"RayleighDamping", "ratios", "together with ratio", "or one .ratio", "Give .ratios"}},
+       {"RayleighDamping", "ratios", "together with ratio", "Give .ratios", "or one .ratio"}},
       {"damping at one period twice",
        damping({.ratio = 0.05, .periods = {1 * s, 1 * s}}),
        {"RayleighDamping", "periods", "1 s", "two different ones", "usually those of the first two modes"}},
@@ -125,10 +126,10 @@ Constructions buildings() {
        {"RayleighDamping", "a0", "-0.3 1/s", ">= 0 1/s and finite", "Check its sign and its unit"}},
       {"damping by ratio and by factors",
        damping({.ratio = 0.05, .a1 = 2 * ms}),
-       {"RayleighDamping", "a0 or a1", "together with ratios or periods", "alone", "Give a0 and a1"}},
+       {"RayleighDamping", "a0 or a1", "together with ratios or periods", "Give a0 and a1", "alone"}},
       {"damping with factors that drive",
        damping({.ratios = {0.001, 0.5}, .periods = {1 * s, 0.9 * s}}),
-       {"RayleighDamping", "these ratios at these periods", "1.00021 s", "negative damping",
+       {"RayleighDamping", "these ratios at these periods", "negative damping", "1.00021 s",
         "Give a larger ratio at the longer period"}},
       {"axial forces below the bearings",
        axial_forces([](auto& house) { house.axial_forces->base_height = -1 * m; }),
@@ -151,16 +152,16 @@ Constructions buildings() {
         "Check its sign and its unit"}},
       {"axial forces without heights",
        axial_forces([](auto& house) { house.storey_height = PerStorey<Length>::unless_given(3.5 * m); }),
-       {"ShearBuilding \"house\"", "storey_height", "is left out", "heights of its storeys", "Give the heights"}},
+       {"ShearBuilding \"house\"", "axial_forces", "storey_height", "is left out", "Give the heights of its storeys"}},
       {"axial forces of one bearing",
        axial_forces([](auto& house) { house.isolation = FrictionPendulum{.radius = 2 * m, .friction = 0.06}; }),
-       {"Isolation", "axial_forces", "one position", "at two positions", "Give isolators"}},
+       {"Isolation", "axial_forces", "one position", "Give isolators", "at two positions"}},
       {"axial forces without bearings",
        axial_forces([](auto& house) {
          house.isolation.reset();
          house.base_mass = 0 * kg;
        }),
-       {"ShearBuilding \"house\"", "axial_forces", "without isolation", "leave .axial_forces out", "Give .isolation"}},
+       {"ShearBuilding \"house\"", "axial_forces", "without isolation", "Give .isolation", "leave .axial_forces out"}},
       {"axial forces with one weight that is given",
        axial_forces([](auto& house) {
          const FrictionPendulum pendulum{.radius = 2 * m, .friction = 0.06};
@@ -168,7 +169,7 @@ Constructions buildings() {
              Isolation{Isolator<FrictionPendulum>{.name = "left", .law = pendulum, .weight = 1 * MN, .at = -5 * m},
                        Isolator<FrictionPendulum>{.name = "right", .law = pendulum, .at = 5 * m}};
        }),
-       {"Isolation", "axial_forces", "1 of 2 bearings", "of every bearing, or of none", "Give the weight"}},
+       {"Isolation", "axial_forces", "1 of 2 bearings", "Give the weight", "of every bearing, or of none"}},
       {"a tower of 1 gram floors",
        [] {
          // One floor: T = 2 pi sqrt(m/k).

@@ -28,7 +28,7 @@ Constructions buildings_in_plan() {
   return {
       {"a plan without edge",
        plan_building([](auto& tower) { tower.outline = PlanOutline{}; }),
-       {"PlanBuilding \"tower\"", "outline", "0 corners", "at least three", "Give at least"}},
+       {"PlanBuilding \"tower\"", "outline", "0 corners", "Give", "at least three"}},
       {"a plan with columns of both kinds",
        plan_building([](auto& tower) {
          tower.columns = grid(3, 2, StoreyColumn{.stiffness = 1 * MN / m, .stiffness_x = 1 * MN / m});
@@ -39,7 +39,7 @@ Constructions buildings_in_plan() {
        plan_building([](auto& tower) {
          tower.columns = std::vector<ColumnLine>{{.at = {1 * m, 0 * m}, .column = {.stiffness = 1 * MN / m}}};
        }),
-       {"PlanBuilding \"tower\"", "storey 1", "eigenvalue of its stiffness is 0 N/m", "every motion in plan",
+       {"PlanBuilding \"tower\"", "storey 1", "every motion in plan", "eigenvalue of its stiffness is 0 N/m",
         "Give column lines at two places"}},
       {"a storey that twists freely",
        plan_building(
@@ -72,7 +72,7 @@ Constructions buildings_in_plan() {
         "A building on bearings needs the mass of its base floor"}},
       {"a plan with axial forces and no heights",
        plan_building([](auto& tower) { tower.axial_forces = AxialForces{}; }),
-       {"PlanBuilding \"tower\"", "storey_height", "is left out", "heights of its storeys", "Give the heights"}},
+       {"PlanBuilding \"tower\"", "axial_forces", "storey_height", "is left out", "Give the heights of its storeys"}},
       {"an eccentricity of the whole plan",
        [] {
          static_cast<void>(with_eccentricity(PlanBuilding{.outline = rectangle(20 * m, 12 * m),

@@ -6,15 +6,19 @@
 #include <vector>
 
 #include "moat.hpp"
+#include "small_models.hpp"
 
 namespace moat::constructions {
+
+using testing::still_ground;
 
 /// One row of the table.
 struct Construction {
   std::string name;  ///< Unique in the table.
   /// Makes it. A valid one compares its answer with a closed form.
   std::function<void()> build;
-  /// Words of its message: object, parameter, value with unit, range, remedy. None: it is valid, and nothing is thrown.
+  /// Words of its message in their order: object, parameter, value with unit, range, remedy. None: it is valid, and
+  /// nothing is thrown.
   std::vector<std::string> words{};
 };
 using Constructions = std::vector<Construction>;
@@ -70,11 +74,6 @@ void add_wall_gap(const Law& law, Length clearance = 1.0 * units::m) {
   Model model;
   const NodeId body = add(model, Node{.name = "body", .mass = 1 * tonne, .free = true});
   add(model, Gap<Law>{.name = "west", .left = body, .right = ground, .clearance = clearance, .law = law});
-}
-
-/// A motion of the ground that does not move it.
-inline GroundMotion still(double seconds) {
-  return {"still", 0.01, std::vector<double>(static_cast<std::size_t>(seconds / 0.01) + 1, 0.0)};
 }
 
 }  // namespace moat::constructions

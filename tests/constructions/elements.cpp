@@ -63,19 +63,19 @@ Constructions bodies() {
        {"Node \"body\"", "mass", "0 kg", "> 0 kg and finite", "Every degree of freedom needs mass"}},
       {"a body with a name that is taken",
        node({.name = "base", .mass = 1 * kg}),
-       {"Node \"base\"", "name", "node or diaphragm of this name exists", "its own name", "Give every one"}},
+       {"Node \"base\"", "a node or diaphragm", "of this name", "exists", "Give every one its own name"}},
       {"a body without name",
        node({.name = "", .mass = 1 * kg}),
-       {"Node", "name", "has no name", "Give .name", "results are listed under it"}},
+       {"Node", "has no name", "Give", ".name", "results are listed under it"}},
       {"a body called as the ground",
        node({.name = "ground", .mass = 1 * kg}),
        {"Node \"ground\"", "name", "is taken", "`ground` is always there", "choose another name"}},
       {"a body called as a formula",
        node({.name = "=1+1", .mass = 1 * kg}),
-       {"Node \"=1+1\"", "name", "begins with = + - or @", "a letter or a digit", "let the name begin"}},
+       {"Node \"=1+1\"", "name", "begins with = + - or @", "let the name begin", "a letter or a digit"}},
       {"a body in another encoding",
        node({.name = "T\xFCr", .mass = 1 * kg}),
-       {"Node \"T\xFCr\"", "name", "T\xFCr", "UTF-8", "Save the script in UTF-8"}},
+       {"Node", "T\xFCr", "the name is not UTF-8", "Save the script", "in UTF-8"}},
       {"a body that begins nowhere",
        node({.name = "body", .mass = 1 * kg, .initial_displacement = not_a_number * m}),
        {"Node \"body\"", "initial_displacement", "nan m", "a finite number", "division by zero"}},
@@ -109,10 +109,10 @@ Constructions bodies() {
        diaphragm({.name = "floor",
                   .mass = 1 * kg,
                   .outline = PlanOutline{{{0 * m, 0 * m}, {1 * m, 1 * m}, {1 * m, 0 * m}, {0 * m, 2 * m}}}}),
-       {"Diaphragm \"floor\"", "outline", "corner 1 and from corner 3", "in their order", "Give the corners"}},
+       {"Diaphragm \"floor\"", "outline", "corner 1 and from corner 3", "Give the corners", "in their order"}},
       {"a floor of two corners",
        diaphragm({.name = "floor", .mass = 1 * kg, .outline = PlanOutline{{{0 * m, 0 * m}, {1 * m, 1 * m}}}}),
-       {"Diaphragm \"floor\"", "outline", "2 corners", "at least three", "Give at least"}},
+       {"Diaphragm \"floor\"", "outline", "2 corners", "Give", "at least three"}},
       {"modes without mass",
        generalised(Eigen::MatrixXd::Zero(1, 1)),
        {"GeneralisedBody \"modes\"", "mass matrix", "is not symmetric and positive definite",
@@ -131,12 +131,12 @@ Constructions links() {
        between_nodes([](NodeId lower, NodeId) {
          return Storey<Linear>{.name = "storey", .lower = lower, .upper = lower, .law = {.stiffness = 1 * N / m}};
        }),
-       {"Storey \"storey\"", "lower and upper", "\"lower\"", "two different nodes", "An element joins"}},
+       {"Storey \"storey\"", "lower and upper", "\"lower\"", "An element joins", "two different nodes"}},
       {"a spring without end",
        between_nodes([](NodeId lower, NodeId) {
          return Spring<Linear>{.name = "spring", .lower = lower, .upper = NodeId{}, .law = {.stiffness = 1 * N / m}};
        }),
-       {"Spring \"spring\"", "upper", "is not given", "a node of this model", "Set it to"}},
+       {"Spring \"spring\"", "upper", "is not given", "Set it to", "a node of this model"}},
       {"a spring to another model",
        between_nodes([](NodeId lower, NodeId) {
          return Spring<Linear>{.name = "spring", .lower = lower, .upper = NodeId{7}, .law = {.stiffness = 1 * N / m}};
@@ -165,7 +165,7 @@ Constructions links() {
                                             .upper = PlanPoint{lower, {1 * m, 0 * m}},
                                             .law = {.stiffness = 1 * N / m}};
        }),
-       {"PlanarSpring \"column\"", "lower and upper", "the same body", "two bodies", "An element joins points"}},
+       {"PlanarSpring \"column\"", "lower and upper", "the same body", "An element joins points", "two bodies"}},
       {"a column in plan that ends at the floor above",
        between_floors([](DiaphragmId lower, DiaphragmId upper) {
          return PlanarSpring<BiaxialLinear>{.name = "column",
@@ -193,7 +193,7 @@ Constructions links() {
        between_floors([](DiaphragmId, DiaphragmId) {
          return RotationDamper{.name = "twist", .lower = ground, .upper = ground, .damping = 1 * J * s};
        }),
-       {"RotationDamper \"twist\"", "lower and upper", "the same body", "two bodies", "An element joins points"}},
+       {"RotationDamper \"twist\"", "lower and upper", "the same body", "An element joins points", "two bodies"}},
       {"a matrix that is not symmetric",
        matrices(lopsided),
        {"LinearStructure \"frame\"", "stiffness", "is not a symmetric matrix", "a diagonal >= 0 and one row per node",
@@ -205,7 +205,7 @@ Constructions links() {
          for (int i = 0; i < 2; ++i)
            add(model, ShearSpring{.name = "storey", .lower = ground, .upper = body, .stiffness = 1 * N / m});
        },
-       {"ShearSpring", "storey", "an element of this name exists", "its own name", "Give every element"}},
+       {"ShearSpring", "storey", "an element of this name exists", "Give every element", "its own name"}},
   };
 }
 

@@ -13,7 +13,7 @@ void expect_free_vibration(Mass mass, Stiffness stiffness, Time time, double tol
   Model model;
   const NodeId body = add(model, Node{.name = "body", .mass = mass, .initial_displacement = 1 * mm});
   add(model, Spring<Linear>{.name = "spring", .lower = ground, .upper = body, .law = {.stiffness = stiffness}});
-  Transient analysis{model, still(1.0), {.integrator = ExactBetweenEvents{}, .end = time}};
+  Transient analysis{model, still_ground(1 * s), {.integrator = ExactBetweenEvents{}, .end = time}};
   analysis.run();
   const double w = std::sqrt(stiffness.si() / mass.si());
   EXPECT_NEAR(analysis.state().displacement(body), 1e-3 * std::cos(w * time.si()), tolerance * 1e-3);

@@ -76,8 +76,8 @@ Constructions motions() {
        [] { static_cast<void>(ramp().scaled_by(infinite)); },
        {"GroundMotion \"ramp\"", "scale factor", "inf", "a finite number", "division by zero"}},
       {"a motion at rest scaled to a peak",
-       [] { static_cast<void>(still(1).scaled_to_pga(1 * g)); },
-       {"GroundMotion \"still\"", "peak acceleration", "zero everywhere", "cannot be scaled", "Check the file"}},
+       [] { static_cast<void>(still_ground(1 * s).scaled_to_pga(1 * g)); },
+       {"GroundMotion \"still ground\"", "zero everywhere", "cannot be scaled", "peak acceleration", "Check the file"}},
       {"a motion scaled to no peak",
        [] { static_cast<void>(ramp().scaled_to_pga(0 * g)); },
        {"GroundMotion \"ramp\"", "target PGA", "0 m/s^2", "> 0 m/s^2 and finite", "Give it as, for example, 0.4 * g"}},
@@ -100,10 +100,10 @@ Constructions motions() {
        [] {
          static_cast<void>(with_vertical(PlanMotion{ramp(), ramp()}, ramp()));
        },
-       {"with_vertical", "ramp + ramp", "several components", "one component each", "Give motions"}},
+       {"with_vertical", "ramp + ramp", "several components", "Give motions", "one component each"}},
       {"no shock",
        [] { static_cast<void>(joined({}, 1 * s)); },
-       {"joined", "motion", "there is no motion", "in their order", "Give the shocks"}},
+       {"joined", "there is no", "motion", "Give the shocks", "in their order"}},
       {"shocks before each other",
        [] {
          static_cast<void>(joined({ramp(), ramp()}, -1 * s));
@@ -124,14 +124,14 @@ Constructions motions() {
        {"high_passed \"ramp\"", "order", "30", "from 1 to 20", "Give a number in this range"}},
       {"a record of one component as a pair",
        [] { static_cast<void>(Record{.name = "KBU000", .first = ramp()}.plan()); },
-       {"Record \"KBU000\"", "horizontal component", "one", "A model in plan needs two",
+       {"Record \"KBU000\"", "one", "horizontal component", "A model in plan needs two",
         "a model on a line takes .first"}},
       {"records in no folder",
        [] { static_cast<void>(read_records("no such folder", RecordOptions{})); },
-       {"records", "no such folder", "No such file or directory", "a folder with records", "Give a folder"}},
+       {"records", "no such folder", "No such file or directory", "Give", "a folder with records"}},
       {"a record in no file",
        [] { static_cast<void>(read_motion("no such record.AT2", TextColumns{})); },
-       {"no such record.AT2", "file", "no such record.AT2", "there is no such file", "Check the path"}},
+       {"no such record.AT2", "there is", "no such file", "Check", "the path"}},
       {"one shock of rest",
        [] {
          // The last sample of one and the first of the next are one sample, their sum.

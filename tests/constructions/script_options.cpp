@@ -23,11 +23,11 @@ std::function<void()> script(const std::vector<std::string>& words, Use use) {
 }
 constexpr auto gap = [](Script& script) { script.length("gap", 10 * cm, "clearance"); };
 constexpr auto storeys = [](Script& script) { script.integer("storeys", 5, "count"); };
-constexpr auto motion = [](Script& script) { static_cast<void>(script.motion(still(1))); };
+constexpr auto motion = [](Script& script) { static_cast<void>(script.motion(still_ground(1 * s))); };
 constexpr auto run = [](Script& script) {
   Model model;
   add(model, Node{.name = "body", .mass = 1 * kg, .free = true});
-  script.run(model, still(1));
+  script.run(model, still_ground(1 * s));
 };
 constexpr auto study = [](Script& script) {
   script.study({StudyAxis{.name = "gap", .unit = "cm", .values = {1}}}, [](const StudyCase&) { return StudyRecord{}; });
@@ -39,65 +39,65 @@ Constructions script_options() {
   return {
       {"a length in seconds",
        script({"--gap", "10 s"}, gap),
-       {"--gap", "10 s", "in s", "in m or multiples of it", "it must be"}},
+       {"--gap", "10 s", "in s", "it must be", "in m or multiples of it"}},
       {"a length in words",
        script({"--gap", "wide"}, gap),
-       {"--gap", "wide", "does not start with a number", "with its unit", "Write a number"}},
+       {"--gap", "wide", "does not start with a number", "Write a number", "with its unit"}},
       {"a length without unit",
        script({"--gap", "10"}, gap),
-       {"--gap", "10", "has no unit", "\"10 cm\" or \"10 m\"", "Write"}},
+       {"--gap", "10", "has no unit", "Write", "\"10 cm\" or \"10 m\""}},
       {"a length of infinite size",
        script({"--gap", "1e999 m"}, gap),
-       {"--gap", "1e999 m", "is too large", "exponent", "Check its exponent"}},
+       {"--gap", "1e999 m", "is too large", "Check", "its exponent"}},
       {"half a storey",
        script({"--storeys", "2.5"}, storeys),
-       {"--storeys", "2.5", "is not a whole number", "digits alone", "Write digits"}},
+       {"--storeys", "2.5", "is not a whole number", "Write", "digits alone"}},
       {"an option of two words",
        script({}, [](Script& all) { all.text("two words", "", ""); }),
-       {"Script", "name of an option", "two words", "letters, digits, - and _", "Use letters"}},
+       {"Script", "two words", "name of an option", "Use", "letters, digits, - and _"}},
       {"an option twice",
        script({},
               [](Script& all) {
                 gap(all);
                 gap(all);
               }),
-       {"--gap", "name", "there is an option of this name", "each once", "Name each once"}},
+       {"--gap", "an option", "of this name", "Name each once", "--help"}},
       {"a unit of no record",
        script({"--record-unit", "g"}, motion),
-       {"--record-unit", "--record-unit", "give it", "together with", "--record FILE"}},
+       {"--record-unit", "give it", "together with", "--record", "FILE"}},
       {"a record that is not there",
        script({"--record", "no such record.AT2"}, motion),
-       {"no such record.AT2", "record", "no such record.AT2", "there is no such file", "Check the path"}},
+       {"no such", "record.AT2", "there is no such file", "Check", "the path"}},
       {"a second component of no first",
        script({"--record-2", "b.AT2"},
               [](Script& all) {
-                static_cast<void>(all.plan_motion(PlanMotion{still(1), still(1)}));
+                static_cast<void>(all.plan_motion(PlanMotion{still_ground(1 * s), still_ground(1 * s)}));
               }),
-       {"--record-2", "--record and --record-2", "give both", "or none", "give both components"}},
+       {"--record", "--record-2", "give", "both components", "or none"}},
       {"results in no folder",
        script({"--out", ""}, run),
-       {"results folder", "path", "is empty", "results/run", "Give a folder"}},
+       {"results folder", "path", "is empty", "Give a folder", "results/run"}},
       {"an integrator that is misspelt",
        script({"--integrator", "newmrak"}, run),
-       {"--integrator", "integrator", "newmrak", "newmark, hht-alpha", "Give one of"}},
+       {"--integrator", "newmrak", "is not known", "Give one of", "newmark, hht-alpha"}},
       {"an observer that is not there",
        script({},
               [](Script& all) {
                 Model model;
                 add(model, Node{.name = "body", .mass = 1 * kg, .free = true});
-                all.run(model, still(1), {nullptr});
+                all.run(model, still_ground(1 * s), {nullptr});
               }),
-       {"Script::run", "observer", "is null", "addresses of observers", "Give the addresses"}},
+       {"Script::run", "an observer", "is null", "Give", "the addresses of observers"}},
       {"threads beyond counting",
        script({"--threads", "5000"}, study),
-       {"--threads", "threads", "5000", "from 0 to 1024", "0 takes one thread per core"}},
+       {"--threads", "5000", "is not allowed", "from 0 to 1024", "0 takes one thread per core"}},
       {"a case of no number",
        script({"--case", "first"}, study),
-       {"--case:", "case", "first", "--case 17", "Write --case 17"}},
-      {"cases without end", script({"--cases", "3"}, study), {"--cases:", "cases", "3", "0:100", "Write --case 17"}},
+       {"--case:", "first", "is not allowed", "Write", "--case 17"}},
+      {"cases without end", script({"--cases", "3"}, study), {"--cases:", "3", "Write --case 17", "cases", "0:100"}},
       {"a case and cases",
        script({"--case", "1", "--cases", "0:1"}, study),
-       {"--case and --cases", "case", "--case and --cases", "one of them", "give one"}},
+       {"--case", "and --cases", "give", "one of", "them"}},
       {"a study called as a path",
        script({},
               [](Script& all) {
@@ -105,7 +105,7 @@ Constructions script_options() {
                     {StudyAxis{.name = "gap", .unit = "cm", .values = {1}}},
                     [](const StudyCase&) { return StudyRecord{}; }, {}, "../study");
               }),
-       {"Script::study", "name of a study", "../study", "letters, digits, blanks, - and _", "Use letters"}},
+       {"Script::study", "../study", "the name of a study", "Use", "letters, digits, blanks, - and _"}},
       {"an answer before its study",
        script({}, [](Script& all) { all.answer("yes"); }),
        {"Script", "answers and pictures", "belong to a study", "Call study()", "before"}},

@@ -132,7 +132,7 @@ Constructions sheets() {
              .building = hospital(), .spectrum = En1998Spectrum{.ground_acceleration = 0.3 * g, .ground = 'C'}};
          static_cast<void>(sheet.line("D_M"));
        },
-       {"DesignSheet", "line", "D_M", "there is no line", "The lines are lambda_Q"}},
+       {"DesignSheet", "there is no", "line", "D_M", "The lines are lambda_Q"}},
       {"a sheet of a model without building",
        [] {
          Model model;
@@ -140,8 +140,8 @@ Constructions sheets() {
          static_cast<void>(sheet_building_of(
              model, BearingDesign{.strength_ratio = 0.06, .isolation_period = 3 * s, .yield_displacement = 10 * mm}));
        },
-       {"sheet_building_of \"base\"", "building", "the model has no building in plan", "on this base",
-        "Give the name of the base"}},
+       {"sheet_building_of \"base\"", "the model has no building in plan", "on this base", "Give the name of the base",
+        "building"}},
   };
 }
 

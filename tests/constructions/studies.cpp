@@ -53,15 +53,13 @@ Constructions studies() {
     return axes({changed});
   };
   return {
-      {"a study of nothing",
-       axes({}),
-       {"Study", "axis", "there is no axis", "at least one", "Give at least one StudyAxis"}},
+      {"a study of nothing", axes({}), {"Study", "there is", "no axis", "Give at least", "one StudyAxis"}},
       {"an axis of no value",
        other([](auto& a) { a.values.clear(); }),
-       {"StudyAxis \"gap\"", "values", "there are no values", "at least one", "Give at least"}},
+       {"StudyAxis \"gap\"", "there are", "no values", "Give", "at least one"}},
       {"an axis of no name",
        other([](auto& a) { a.name = ""; }),
-       {"StudyAxis", "name", "it has no name", "for example", "Give it one"}},
+       {"StudyAxis", "it has", "no name", "Give it one", "for example"}},
       {"an axis called as a column",
        other([](auto& a) { a.name = "state"; }),
        {"StudyAxis", "state", "tables of studies", "a column of this name", "Give it another name"}},
@@ -70,7 +68,7 @@ Constructions studies() {
        {"StudyAxis \"gap\"", "a value", "nan cm", "a finite number", "division by zero"}},
       {"an axis with a label too few",
        other([](auto& a) { a.labels = {"one"}; }),
-       {"StudyAxis \"gap\"", "labels", "differ", "one label for every value, or none", "Give one"}},
+       {"StudyAxis \"gap\"", "labels and values", "differ", "Give one label", "for every value, or none"}},
       {"an axis with a label twice",
        other([](auto& a) {
          a.labels = {"one", "one"};
@@ -78,12 +76,12 @@ Constructions studies() {
        {"StudyAxis \"gap\"", "label", "one", "appears twice", "Give every value a label of its own"}},
       {"an axis twice",
        axes({axis, axis}),
-       {"StudyAxis \"gap\"", "name", "appears twice", "a name of its own", "Give every axis"}},
+       {"StudyAxis \"gap\"", "name", "appears twice", "Give every axis", "a name of its own"}},
       {"a list of axes of other lengths",
        [axis] {
          static_cast<void>(StudyCases::list({axis, StudyAxis{.name = "mass", .unit = "t", .values = {1, 2, 3}}}));
        },
-       {"StudyAxis \"mass\"", "values", "3", "has 2", "give them equally many"}},
+       {"StudyAxis \"mass\"", "3", "values", "has 2", "give them equally many"}},
       {"a study of 1e12 cases",
        [] {
          std::vector<StudyAxis> many;
@@ -102,12 +100,12 @@ Constructions studies() {
          const StudyCases cases{axis};
          static_cast<void>(StudyCase{cases, 0}.value("gpa"));
        },
-       {"The study", "axis", "gpa", "gap", "Its axes are"}},
+       {"The study", "axis", "gpa", "Its axes are", "gap"}},
       {"a result that is not there",
        [] {
          static_cast<void>(value_of({NamedNumber{"displacement", "base", "m", 1.0}}, "displacment", "base"));
        },
-       {"result", "base", "displacment", "There is no result", "as the table of results writes them"}},
+       {"There is no result", "displacment", "base", "Give quantity and place", "as the table of results writes them"}},
       {"a uniform draw turned over",
        random({"k", "N/m", UniformDistribution{.low = 2, .high = 1}}),
        {"RandomVariable \"k\"", "low", "is not below", "high", "Give the lower end first"}},
@@ -165,7 +163,7 @@ Constructions studies() {
        {"LognormalFit \"gaps\"", "count", "0", "> 0 and finite", "Give a number in this range"}},
       {"a fit of gaps that are all alike",
        fit({{1.0, 2.0}, {1.0, 2.0}}),
-       {"LognormalFit \"gaps\"", "dispersion", "zero", "one value splits all data", "or more records"}},
+       {"LognormalFit \"gaps\"", "one value splits all data", "dispersion", "zero", "or more records"}},
       {"a fit that is certain",
        fit({{1.0, 1.0}, {2.0, 2.0}}, 1.0),
        {"LognormalFit \"gaps\"", "confidence", "1", "> 0 and < 1", "Give a number in this range"}},
@@ -180,7 +178,7 @@ Constructions studies() {
        {"PropertyBounds", "upper.stiffness", "0.9", "from 1 to 10", "The nominal properties lie between the bounds"}},
       {"a suite without record",
        suite([](auto& motions, auto&) { motions.clear(); }),
-       {"Suite", "records", "there are no", "at least one", "Give at least"}},
+       {"Suite", "there are", "no records", "Give", "at least one"}},
       {"a suite with a record twice",
        suite([](auto& motions, auto&) { motions[1] = motions[0]; }),
        {"StudyAxis \"record\"", "label", "one", "appears twice", "Give every value a label of its own"}},
@@ -194,11 +192,11 @@ Constructions studies() {
        [] {
          Model model;
          add(model, Diaphragm{.name = "floor", .mass = 1 * kg, .size = {1 * m, 1 * m}, .free = true});
-         static_cast<void>(incidence_study(model, PlanMotion{still(1), still(1)}, 7 * deg));
+         static_cast<void>(incidence_study(model, PlanMotion{still_ground(1 * s), still_ground(1 * s)}, 7 * deg));
        },
        {"incidence_study", "step", "7 deg", "a whole part of 360 deg", "Give, for example, 15 * deg"}},
       {"an accidental eccentricity of nothing",
-       [] { static_cast<void>(eccentricity_study([](PlanVector) { return Model{}; }, still(1), 0.0)); },
+       [] { static_cast<void>(eccentricity_study([](PlanVector) { return Model{}; }, still_ground(1 * s), 0.0)); },
        {"eccentricity_study", "share", "0", "> 0 and < 0.5", "5 % is 0.05"}},
       {"a smallest gap of 0", [] { EXPECT_LT(smallest_gap([](Length gap) { return gap; }).gap.si(), 1.1e-5); }},
       {"a smallest gap beyond all", [] { EXPECT_TRUE(smallest_gap([](Length gap) { return gap - 20 * m; }).beyond); }},
@@ -227,16 +225,16 @@ Constructions charts() {
   return {
       {"no chart",
        [] { static_cast<void>(svg_text(std::vector<Chart>{})); },
-       {"Chart", "chart", "there is no chart", "at least one", "Give at least"}},
+       {"Chart", "there is", "no chart", "Give", "at least one"}},
       {"a chart of a stamp",
        chart([](Chart&, int& width) { width = 20; }),
        {"Chart \"Pounding\"", "width", "20 pixels", ">= 200 pixels for every column", "Check its sign and its unit"}},
       {"a chart of no point",
        chart([](Chart& all, int&) { all.series.clear(); }),
-       {"Chart \"Pounding\"", "point", "there is no point to draw", "inside the x range", "Give at least one series"}},
+       {"Chart \"Pounding\"", "there is no point to draw", "Give at least one series", "point", "inside the x range"}},
       {"a series of other lengths",
        chart([](Chart& all, int&) { all.series[0].x.pop_back(); }),
-       {"Series \"base\"", "x and y", "different lengths", "one y for every x", "Give one"}},
+       {"Series \"base\"", "x and y", "different lengths", "Give", "one y for every x"}},
       {"a series with a hole",
        chart([](Chart& all, int&) { all.series[0].y[1] = not_a_number; }),
        {"Series \"base\"", "y of chart \"Pounding\"", "nan", "a finite number", "division by zero"}},
@@ -253,7 +251,7 @@ Constructions charts() {
        chart([](Chart& all, int&) {
          all.x_range = {2.0, 1.0};
        }),
-       {"Chart \"Pounding\"", "x range", "ends before it starts", "lower end first", "Give its lower end"}},
+       {"Chart \"Pounding\"", "x range", "ends before it starts", "Give", "its lower end first"}},
       {"a chart in a unit of nothing",
        chart([](Chart& all, int&) {
          all.second_unit = SecondUnit{"g", 0.0};
@@ -261,12 +259,12 @@ Constructions charts() {
        {"SecondUnit \"g\"", "per_first", "0", "> 0 and finite", "Give a number in this range"}},
       {"a map with a column too few",
        map([](HeatMap& all) { all.x_values.pop_back(); }),
-       {"HeatMap \"Drift\"", "x_values", "differ", "one name for every column", "Give one"}},
+       {"HeatMap \"Drift\"", "columns and of x_values", "differ", "Give", "one name for every column"}},
       {"a map of nothing",
        map([](HeatMap& all) {
          all.values = {{not_a_number, not_a_number}};
        }),
-       {"HeatMap \"Drift\"", "value", "there is no value to draw", "finite", "Give at least one"}},
+       {"HeatMap \"Drift\"", "there is", "no value to draw", "Give at least one", "finite"}},
   };
 }
 

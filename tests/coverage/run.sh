@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Runs the tests of a build of the preset `coverage`, and prints how many lines they reach: run.sh BUILD [options of
+# Runs the tests of a build of the preset `asan`, and prints how many lines they reach: run.sh BUILD [options of
 # ctest].
 #
 # Exit code 1 if a test fails, or if less than 90 % of all lines of the library or 95 % of those of the parsers

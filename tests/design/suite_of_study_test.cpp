@@ -70,11 +70,13 @@ TEST(SuiteForSheet, HasTheDesignValuesOfEveryBound) {
 }
 
 // Every case of a suite with more results.
-StudyResult with_results(const StudyResult& study, const std::function<StudyRecord(const StudyCase&)>& more) {
-  std::vector<CaseOutcome> outcomes = study.outcomes();
-  for (std::size_t i = 0; i < outcomes.size(); ++i)
-    for (const NamedNumber& each : more(StudyCase{study.cases(), i})) outcomes[i].results.push_back(each);
-  return {study.cases(), outcomes};
+StudyResult with_results(StudyResult study, const std::function<StudyRecord(const StudyCase&)>& more) {
+  for (std::size_t i = 0; i < study.cases().count(); ++i) {
+    CaseOutcome outcome = study.outcome(i);
+    for (const NamedNumber& each : more(StudyCase{study.cases(), i})) outcome.results.push_back(each);
+    study.set(i, std::move(outcome));
+  }
+  return study;
 }
 
 TEST(SuiteForSheet, TakesTheIsolatorsAloneAndCountsTheRecordsThatTouch) {
@@ -168,24 +170,19 @@ TEST(SuiteForSheet, SaysThatCasesAreMissing) {
 
 // The other eccentricity of the bound has results, but they say nothing about this one.
 TEST(SuiteForSheet, IsRefusedWhereACombinationHasNoResult) {
-  const StudyResult good = suite(2);
-  std::vector<CaseOutcome> outcomes = good.outcomes();
-  for (std::size_t i = 1; i < outcomes.size(); i += 6) outcomes[i] = {.state = CaseState::failed, .reason = "lost"};
-  EXPECT_EQ(testing::message_of([&] {
-              suite_for_sheet(StudyResult{good.cases(), outcomes});
-            }),
+  StudyResult study = suite(2);
+  for (std::size_t i = 1; i < study.cases().count(); i += 6)
+    study.set(i, {.state = CaseState::failed, .reason = "lost"});
+  EXPECT_EQ(testing::message_of([&] { suite_for_sheet(study); }),
             "suite_for_sheet: no record has a result with bounds = lower, eccentricity = +x. Compute its cases again.");
 }
 
 TEST(SuiteForSheet, IsRefusedWhereARecordCollapsed) {
-  const StudyResult good = suite(7);
-  std::vector<CaseOutcome> outcomes = good.outcomes();
-  for (CaseOutcome& each : outcomes) each.results.push_back({"collapsed", "", "1", 0.0});
-  outcomes[0].results.back().value = 1.0;
+  const StudyResult study = with_results(suite(7), [](const StudyCase& each) -> StudyRecord {
+    return {{"collapsed", "", "1", each.number() == 0 ? 1.0 : 0.0}};
+  });
   EXPECT_EQ(
-      testing::message_of([&] {
-        suite_for_sheet(StudyResult{good.cases(), outcomes});
-      }),
+      testing::message_of([&] { suite_for_sheet(study); }),
       "suite_for_sheet: records of lower bounds collapsed, so that there is no design value. Change the design, or "
       "give the sheet without a suite.");
 }

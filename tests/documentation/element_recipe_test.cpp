@@ -5,6 +5,7 @@
 #include "elements/line/cable.hpp"
 #include "ended_case.hpp"
 #include "message_of.hpp"
+#include "small_models.hpp"
 
 namespace moat::testing {
 namespace {
@@ -21,8 +22,7 @@ Model mass_on_a_cable(Length slack) {
 // A free mass tightens the cable and leaves it with the same speed: v sqrt(m/k) is the largest stretch.
 TEST(ElementRecipe, PullsAndNeverPushes) {
   const Model model = mass_on_a_cable(5 * cm);
-  const GroundMotion still{"still", 0.01, std::vector<double>(81, 0.0)};
-  const auto [result, state] = run_to_end(model, still, {.transient = {.tolerance = 1e-7}});
+  const auto [result, state] = run_to_end(model, still_ground(0.8 * s), {.transient = {.tolerance = 1e-7}});
   EXPECT_NEAR(state.velocity(NodeId{0}), -1.0, 1e-3);
   const auto force = std::ranges::find(result.peaks, "cable_force", &Peak::quantity);
   ASSERT_NE(force, result.peaks.end());

@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <regex>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
+#include "base/text/number_format.hpp"
 #include "in_folder.hpp"
 #include "moat.hpp"
 
@@ -24,56 +27,122 @@ void expect_on(const std::string& name, const std::string& text) {
   EXPECT_NE(page(name).find(text), std::string::npos) << name << " does not say: " << text;
 }
 
-struct Quote {
-  const char *page, *says, *table, *has;
-};
+using Numbers = std::vector<double>;
 
-// Where a table is written again with other numbers, the text that quotes them is found here.
-TEST(Documents, QuoteTheNumbersOfTheirTables) {
-  const char *paper = "docs/verification/paper.md", *random = "docs/verification/random_models.md",
-             *experiments = "docs/verification/experiments.md", *performance = "docs/performance.md",
-             *verification = "docs/verification.md";
-  const Quote quotes[]{
-      {"README.md", "| 240 peaks | 0.0009 % |", paper, "| modified Hertz-damp as printed, on approach | 0.0009 |"},
-      {verification, "| 0.0009 % | `MOAT_RECORDS", paper, "| modified Hertz-damp as printed, on approach | 0.0009 |"},
-      {"README.md", "0.12 % of a model's worst peak", random, "| largest | 0.12 % |"},
-      {"README.md", "0.0004 % in the median", random, "worst peak: median | 0.00038 % |"},
-      {verification, "0.12 %; median 0.0004 %", random, "worst peak: median | 0.00038 % |"},
-      {verification, "| 10,497 peaks | 0.1 % of the bars", random, "with an error bar | 10497 |"},
-      {verification, "0.1 % of the bars are too small", random, "true error within the bar | 99.9 % |"},
-      {"docs/reference/analysis.md", "bars of 200 random models 99.9 %", random,
-       "true error within the bar | 99.9 % |"},
-      {verification, "1.1 % of a peak; 6.3 % with other laws", random, "| largest | 0.59 % | 0.71 % | 1.1 % |"},
-      {verification, "1.1 % of a peak; 6.3 % with other laws", random, "| 279 | 2.5 % | 6.3 % |"},
-      {"README.md", "| 42 peaks | 0.0005 % |", experiments, "Largest difference of all peaks: 0.0005 %."},
-      {verification, "42 peaks | 0.0005 % |", experiments, "Largest difference of all peaks: 0.0005 %."},
-      {"README.md", "12.6 %; 2.9 % in the tests that were predicted", experiments,
-       "| fpgm172s1 | identifies | 0.67 | 0.75 | 1.126 |"},
-      {"README.md", "12.6 %; 2.9 % in the tests that were predicted", experiments,
-       "| fpgm152s2 | predicted | 2.58 | 2.50 | 0.971 |"},
-      {verification, "up to 37 %", experiments, "| fbgm152s4 | predicted | 1.37,"},
-      {"README.md", "displacements agree within 8 %", paper, "11.15 / 10.41 = 1.071 |"},
-      {verification, "Accelerations stay 59 to 82 % below", paper, "6.05 / 14.77 = 0.410 | 4.91"},
-      {verification, "Accelerations stay 59 to 82 % below", paper, "3.62 / 20.45 = 0.177 |"},
-      {paper, "4 hold, 24 hold in part or for some of the records, and 9 do not", paper, "Of 37 claims"},
-      {"README.md", "takes 5 to 10 ms", performance, "| moat | 4.89 ("},
-      {"README.md", "takes 5 to 10 ms", performance, "| 9.9 (0.000328 % ... 0.000328 %) | 9.75 ("},
-      {"README.md", "8 to 17 ms", performance, "everything a script records | 8.11 | 10.9 | 12.3 | 16.9 |"},
-      {"README.md", "5 to 15 times as long", performance, "| WVC270, linear contact | 16.7 (16.3 to 16.9) | 5.01 ("},
-      {"README.md", "its textbook setting 17 to 29 times", performance,
-       "| pulse, Hertz-damp contact | 29.4 (29.3 to 29.5) | 15.2 ("},
-      {verification, "takes 1.2 to 104 times", performance, "| rebound, Hertz-damp | 2.13 (2.02 to 2.27) | 1.17 ("},
-      {verification, "takes 1.2 to 104 times", performance, "320 (320 to 322) | 104 ("},
-      {performance, "right to 0.0003 to 0.007 %", performance,
-       "| moat | 4.89 (0.00264 % ... 0.00264 %) | 5.02 (0.00686 %"},
-      {performance, "8 to 24 times less than the best", performance,
-       "3.11 (0.00215 % ... 0.00215 %) | 3.23 (0.00646 %"},
-      {performance, "28 to 51 times less than the textbook's", performance, "107 (0.826 % ... 0.0127 %) | 146 (1.17 %"},
-  };
-  for (const Quote& quote : quotes) {
-    expect_on(quote.page, quote.says);
-    expect_on(quote.table, quote.has);
-  }
+// Returns the numbers in the groups of a pattern, wherever it stands on the page.
+Numbers numbers(const std::string& name, const std::string& pattern) {
+  const std::string text = read_file(MOAT_SOURCE_DIR "/" + name);
+  const std::regex regex{pattern};
+  Numbers found;
+  for (std::sregex_iterator each{text.begin(), text.end(), regex}, end; each != end; ++each)
+    for (std::size_t group = 1; group < each->size(); ++group) found.push_back(std::stod((*each)[group]));
+  if (found.empty()) throw std::runtime_error{name + " has no " + pattern};
+  return found;
+}
+
+std::string times(int count, const std::string& text) { return count == 0 ? "" : text + times(count - 1, text); }
+
+// Returns the numbers at equal steps.
+Numbers every(std::size_t step, std::size_t first, const Numbers& all) {
+  Numbers some;
+  for (std::size_t i = first; i < all.size(); i += step) some.push_back(all[i]);
+  return some;
+}
+
+Numbers quotients(const Numbers& above, const Numbers& below) {
+  Numbers ratios;
+  for (std::size_t i = 0; i < below.size(); ++i) ratios.push_back(above.at(i) / below[i]);
+  return ratios;
+}
+
+// Returns the largest distance from 1, in %.
+double percent_off(const Numbers& ratios) {
+  double largest = 0.0;
+  for (const double ratio : ratios) largest = std::max(largest, 100.0 * std::abs(ratio - 1.0));
+  return largest;
+}
+
+std::string range(const Numbers& all, int of_least = 0, int of_largest = 0) {
+  const auto [least, largest] = std::ranges::minmax(all);
+  return to_fixed(least, of_least) + " to " + to_fixed(largest, of_largest);
+}
+
+const std::string paper = "docs/verification/paper.md", random_models = "docs/verification/random_models.md",
+                  experiments = "docs/verification/experiments.md", performance = "docs/performance.md",
+                  verification = "docs/verification.md";
+
+TEST(Documents, QuoteTheNumbersOfThePaper) {
+  const std::string law = to_fixed(std::ranges::max(numbers(paper, R"(\| (0\.\d{4}) \| \w+, RSN)")), 4);
+  expect_on("README.md", "| 240 peaks | " + law + " % |");
+  expect_on(verification, "| " + law + " % | `MOAT_RECORDS");
+  const std::string ratios = times(5, R"( [\d.]+ / [\d.]+ = ([\d.]+) \|)");
+  const double off = percent_off(numbers(paper, R"(\n\| \w+ displacement \[cm\] \|)" + ratios));
+  expect_on("README.md", "displacements agree within " + to_fixed(std::ceil(off), 0) + " %");
+  Numbers below;
+  for (const double ratio : numbers(paper, R"(\n\| \w+ acceleration \[m/s²\] \|)" + ratios))
+    below.push_back(100.0 * (1.0 - ratio));
+  expect_on(verification, "Accelerations stay " + range(below) + " % below");
+  const Numbers claims = numbers(paper, R"(Of (\d+) claims, (\d+) hold, (\d+) hold in part[^,]*, and (\d+) do not)");
+  EXPECT_EQ(claims[0], claims[1] + claims[2] + claims[3]);
+}
+
+TEST(Documents, QuoteTheNumbersOfRandomModels) {
+  const auto number = [](const std::string& pattern) { return numbers(random_models, pattern).front(); };
+  const std::string largest = to_fixed(number(R"(\n\| largest \| ([\d.]+) %)"), 2),
+                    median = to_fixed(number(R"(worst peak: median \| ([\d.]+) %)"), 4);
+  expect_on("README.md", largest + " % of a model's worst peak, " + median + " % in the median");
+  expect_on(verification, largest + " %; median " + median + " %");
+  std::string bars = to_fixed(number(R"(with an error bar \| (\d+) \|)") / 1e3, 3);
+  std::ranges::replace(bars, '.', ',');
+  const double within = number(R"(true error within the bar \| ([\d.]+) %)");
+  expect_on(verification, "| " + bars + " peaks | " + to_fixed(100.0 - within, 1) + " % of the bars are too small");
+  expect_on("docs/reference/analysis.md", "bars of " + to_fixed(number(R"(models compared \| (\d+))"), 0) +
+                                              " random models " + to_fixed(within, 1) + " % hold the true error");
+  const std::string streets = R"(\n\| largest \|)" + times(3, R"( ([\d.]+) % \|)") + R"(\n\| rebounds)",
+                    laws = R"(\n\| `\w+` \| \d+ \| \d+ \| [\d.]+ % \| ([\d.]+) % \|)";
+  expect_on(verification, to_fixed(std::ranges::max(numbers(random_models, streets)), 1) + " % of a peak; " +
+                              to_fixed(std::ranges::max(numbers(random_models, laws)), 1) + " % with other laws");
+}
+
+TEST(Documents, QuoteTheNumbersOfExperiments) {
+  const std::string peaks = to_fixed(numbers(experiments, R"(difference of all peaks: ([\d.]+) %)").front(), 4);
+  expect_on("README.md", "| 42 peaks | " + peaks + " % |");
+  expect_on(verification, "42 peaks | " + peaks + " % |");
+  const std::string ratio = R"( \| [\d.]+ \| [\d.]+ \| ([\d.]+) \|)";
+  expect_on("README.md", to_fixed(percent_off(numbers(experiments, R"(\n\| fpgm\w+ \| \w+)" + ratio)), 1) + " %; " +
+                             to_fixed(percent_off(numbers(experiments, R"(\n\| fpgm\w+ \| predicted)" + ratio)), 1) +
+                             " % in the tests that were predicted");
+  const Numbers drifts = numbers(experiments, R"(\n\| fbgm\w+ \| predicted \| ([\d.]+), ([\d.]+), ([\d.]+) \|)");
+  expect_on(verification, "wrong by up to " + to_fixed(percent_off(drifts), 0) + " %");
+}
+
+TEST(Documents, QuoteTheNumbersOfPerformance) {
+  // A row has eight cells with three numbers: the time, and the errors of the loosest and the tightest setting.
+  const std::string cells = times(8, R"( ([\d.]+(?:e\+\d+)?) \(([\d.]+) % \.\.\. ([\d.]+) %\) \|)") + "\n";
+  const Numbers moat = numbers(performance, R"(\n\| moat \|)" + cells);
+  expect_on("README.md", "takes " + range(every(3, 0, moat)) + " ms");
+  expect_on(performance, "right to " + range(every(3, 1, moat), 4, 3) + " %");
+  expect_on("README.md", range(numbers(performance, R"(\n\| moat adaptive, everything a script records \|)" +
+                                                        times(4, R"( ([\d.]+) \|)"))) +
+                             " ms with all that a script records");
+  const Numbers five_storeys =
+      numbers(performance, R"(\n\| \w+, [\w-]+ contact \| ([\d.]+) \([^)]+\) \| ([\d.]+) \([^)]+\))");
+  expect_on("README.md", "takes " + range(every(2, 1, five_storeys)) +
+                             " times as long as the first, its textbook setting " + range(every(2, 0, five_storeys)) +
+                             " times");
+  const Numbers best =
+      numbers(performance, R"(\n\| [^|\n]+ \| [\d.]+ \([^)]+\) \| ([\d.]+) \([^)]+\) \| [^|\n]+ \| moat)");
+  expect_on(verification, "takes " + range(best, 1) + " times");
+  const Numbers exact = every(3, 0, numbers(performance, R"(\n\| moat, `--integrator automatic` \|)" + cells));
+  const Numbers newmark = every(3, 0, numbers(performance, R"(\n\| OpenSees, Newmark, [^|\n]+ \|)" + cells)),
+                sixth = every(3, 0, numbers(performance, R"(\n\| OpenSees, Newmark with [^|\n]+ \|)" + cells)),
+                explicit_steps =
+                    every(3, 0, numbers(performance, R"(\n\| OpenSees, NewmarkExplicit[^|\n]+ \|)" + cells));
+  Numbers fastest;
+  for (std::size_t i = 0; i < exact.size(); ++i)
+    fastest.push_back(std::min({newmark.at(i), sixth.at(i), explicit_steps.at(i)}));
+  expect_on(performance, range(quotients(fastest, exact)) + " times less than the best");
+  expect_on(performance, range(quotients(newmark, exact)) + " times less than the textbook's");
 }
 
 struct Default {

@@ -6,6 +6,7 @@
 #include "elements/line/shear_spring.hpp"
 #include "output/recorders/separation_recorder.hpp"
 #include "report/charts/result_charts.hpp"
+#include "small_models.hpp"
 
 namespace moat::testing {
 namespace {
@@ -17,8 +18,7 @@ TEST(RecorderRecipe, AppearsInHistoriesPeaksAndCharts) {
   const NodeId left = add(model, Node{.name = "left", .mass = 1 * kg, .free = true});
   const NodeId right = add(model, Node{.name = "right", .mass = 1 * kg, .initial_displacement = 3 * cm});
   add(model, ShearSpring{.name = "spring", .lower = ground, .upper = right, .stiffness = 100 * N / m});
-  const GroundMotion still{"still", 0.01, std::vector<double>(101, 0.0)};
-  CaseRun run{model, still};
+  CaseRun run{model, still_ground(1 * s)};
   SeparationRecorder separation{"gap", left, right};
   run.attach(separation);
   run.run();

@@ -222,7 +222,8 @@ void note_study(Units& printed, const SmallCase& each) {
        .error_bars = true,
        .energies = true,
        .floor_spectra = FloorSpectraOptions{.floors = {"base"}, .periods = {0.3 * s}, .absolute_acceleration = true}});
-  for (const NamedNumber& number : study.outcomes().front().results) note(printed, number.quantity, number.unit);
+  const CaseOutcome first = study.outcome(0);
+  for (const NamedNumber& number : first.results) note(printed, number.quantity, number.unit);
 }
 
 Units printed_by_all_cases() {

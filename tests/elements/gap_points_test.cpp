@@ -5,6 +5,7 @@
 #include "message_of.hpp"
 #include "moat.hpp"
 #include "moved_model.hpp"
+#include "small_models.hpp"
 
 namespace moat {
 namespace {
@@ -56,7 +57,7 @@ TEST(GapPoints, ANodeOnBothSidesLeavesTheRestitutionAsAsked) {
                               .right = high,
                               .clearance = 1 * cm,
                               .law = {.stiffness = 1e8 * N / m, .restitution = 0.5}});
-  const CaseResult result = run_case(model, GroundMotion{"still ground", 1e-3, std::vector<double>(101, 0.0)});
+  const CaseResult result = run_case(model, testing::still_ground(0.1 * s, 1 * ms));
   ASSERT_EQ(result.impacts.size(), 1u);
   EXPECT_NEAR(result.impacts[0].rebound_ratio, 0.5, 1e-3);  // default steps in contact
   EXPECT_NEAR(result.impacts[0].restitution, 0.5, 1e-7);

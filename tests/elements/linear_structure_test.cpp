@@ -8,6 +8,7 @@
 
 #include "message_of.hpp"
 #include "moved_model.hpp"
+#include "small_models.hpp"
 
 namespace moat {
 namespace {
@@ -73,7 +74,7 @@ TEST(LinearStructure, ItsEnergiesBalance) {
     OnBase on_base;
     add(on_base.model, on_base.structure());
     add(on_base.model, ShearSpring{.name = "below", .lower = ground, .upper = on_base.base, .stiffness = 2 * MN / m});
-    const GroundMotion still{"still", 0.01, std::vector<double>(101, 0.0)};
+    const GroundMotion still = testing::still_ground(1 * s);
     Transient analysis{on_base.model, still, {.integrator = integrator}};
     EnergyLedger ledger;
     analysis.attach(ledger);
@@ -92,7 +93,7 @@ TEST(LinearStructure, ADampedNodeDecaysAsTheClosedForm) {
                              .nodes = {node},
                              .stiffness = Eigen::MatrixXd::Constant(1, 1, 1e3 * w * w),
                              .damping = Eigen::MatrixXd::Constant(1, 1, 2.0 * z * w * 1e3)});
-  const GroundMotion still{"still", 0.01, std::vector<double>(101, 0.0)};
+  const GroundMotion still = testing::still_ground(1 * s);
   Transient analysis{model, still, {.integrator = ExactBetweenEvents{}}};
   analysis.run();
   const double t = analysis.state().time();

@@ -62,7 +62,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   (void)fuzz::tried([&] { merge_studies(merged, {file}); });
   return fuzz::tried([&] {
     StudyStore store{file, cases(), {{"script", "1"}}, {.title = "study"}};
-    (void)store.outcomes();
+    (void)store.result();
     store.forget_failures();
   });
 }

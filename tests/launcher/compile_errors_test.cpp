@@ -165,6 +165,7 @@ TEST_F(CompileErrors, NameAFunctionWithoutReturn) {
   expect_first(begin + study + model + "});\nreturn script.finish();\n}",
                "6: the function that is given here returns nothing; end it with `return NAME;`\n");
   expect_no_sentence(begin + study + model + "return 3 * m;\n});\nreturn script.finish();\n}");
+  expect_no_sentence(begin + "script.integer(\"storeys\", [](int) {});\n}");
 }
 
 TEST_F(CompileErrors, NameTheDimensionOfTheValuesOfAnAxis) {

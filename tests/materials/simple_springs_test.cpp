@@ -43,6 +43,8 @@ TEST(StiffeningSpring, ActsBeyondItsStart) {
   EXPECT_EQ(path.force(), 0.0);
   path.move(-0.26, 1.0);
   EXPECT_NEAR(path.force(), -0.06 * 20e6, 1e-6);
+  path.move(-0.19, 1.0);
+  EXPECT_EQ(path.force(), 0.0) << "it does not pull";
 }
 
 TEST(YieldingStorey, ReportsDuctilityAndResidualDrift) {

@@ -13,6 +13,7 @@
 #include "elements/line/shear_spring.hpp"
 #include "elements/line/spring.hpp"
 #include "output/peaks/peak_recorder.hpp"
+#include "small_models.hpp"
 #include "solvers/modes.hpp"
 
 namespace moat {
@@ -73,7 +74,7 @@ struct CoupledPair {
 };
 
 TEST(CoupledMasses, VibrateAsInClosedForm) {
-  const GroundMotion still{"still", 0.01, std::vector<double>(101, 0.0)};
+  const GroundMotion still = testing::still_ground(1 * s);
   for (const Integrator& integrator : {Integrator{Newmark{}}, Integrator{ExactBetweenEvents{}}}) {
     const CoupledPair pair;
     Transient analysis{pair.model, still, {.integrator = integrator, .tolerance = 1e-7}};

@@ -6,6 +6,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
 #include <string>
 
 #include "base/text/text_file.hpp"
@@ -75,7 +76,9 @@ TEST_F(RealRecords, HaveTheirKnownPeaks) {
     EXPECT_LT(pgv, known.pgv_cm_s * 1.002 + 0.006) << known.file;
     EXPECT_NEAR(motion.peak_displacement() / cm, known.pgd_cm, 0.06 + 0.002 * known.pgd_cm) << known.file;
   }
-  if (count == 0) GTEST_SKIP() << "none of the records with known peaks is in the folder of MOAT_RECORDS";
+  if (count < std::ssize(known_peaks))
+    GTEST_SKIP() << "the folder of MOAT_RECORDS has " << count << " of " << std::size(known_peaks)
+                 << " records with known peaks; these were compared";
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ TEST(HistoryCharts, OfLongHistoriesKeepEveryPeakAndFewRows) {
   motion.values[123'456] = 5.0;
   motion.values[123'457] = -7.0;
   const CaseResult result = result_with({time, motion, energy, input});
-  const Series& curve = history_charts(result).at(0).series.at(0);
+  const Series curve = history_charts(result).at(0).series.at(0);
   EXPECT_LT(curve.x.size(), most_rows_of_charts);
   EXPECT_TRUE(std::ranges::is_sorted(curve.x));
   EXPECT_EQ(curve.x.front(), 0.0);

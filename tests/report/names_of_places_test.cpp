@@ -11,6 +11,7 @@
 #include "report/charts/result_charts.hpp"
 #include "report/sections.hpp"
 #include "report_testing.hpp"
+#include "small_models.hpp"
 #include "small_plan_building.hpp"
 
 namespace moat {
@@ -151,7 +152,7 @@ TEST(NamesOfPlaces, WallsOfOneNameAreAllDrawn) {
   };
   add_gap("east", {10.1 * m, -8 * m}, {10.1 * m, 8 * m});
   add_gap("north", {12 * m, 6.1 * m}, {-12 * m, 6.1 * m});
-  const CaseResult result = run_case(model, GroundMotion{"still", 0.01, std::vector<double>(21, 0.0)});
+  const CaseResult result = run_case(model, testing::still_ground(0.2 * s));
   EXPECT_EQ(testing_report::count(html::drawing_section(result), "class=\"wall\""), 2U);
 }
 

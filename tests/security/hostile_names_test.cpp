@@ -158,8 +158,8 @@ TEST_F(Hostile, TextsInAStudyStayTexts) {
     const StoredStudy stored = read_study(folder / "study/study.db");
     EXPECT_EQ(stored.title, text);
     EXPECT_EQ(stored.result.cases().axes()[0].labels, cases.axes()[0].labels);
-    EXPECT_EQ(stored.result.outcomes()[0].results.at(0).where, text);
-    EXPECT_EQ(stored.result.outcomes()[1].reason, text);
+    EXPECT_EQ(stored.result.outcome(0).results.at(0).where, text);
+    EXPECT_EQ(stored.result.outcome(1).reason, text);
     const Chart chart{.title = text, .x_label = text, .y_label = text, .series = {{text, {0.0, 1.0}, {0.0, 1.0}}}};
     const HeatMap map{text, text, text, text, {text}, {text}, {{1.0}}};
     write_study_report({.title = text,
@@ -168,7 +168,7 @@ TEST_F(Hostile, TextsInAStudyStayTexts) {
                         .tables = {{text, table_of(chart)}},
                         .studies = {{.name = "study", .result = stored.result}}},
                        folder / "study");
-    write_csv(stored.result.case_table(), folder / "study/study.csv");
+    write_csv(stored.result, folder / "study/study.csv");
     expect_harmless_files("study", text);
     fs::remove_all(folder / "study");
   }

@@ -56,16 +56,16 @@ class Checksums : public testing::InTemporaryFolder {
   StudyStore open() const { return {file, cases, identity, {.title = "A study", .engine = "1 thread"}}; }
   void compute(std::size_t first, std::size_t last) const {
     StudyStore store = open();
-    const std::vector<CaseOutcome> known = store.outcomes();
+    const StudyResult known = store.result();
     for (std::size_t number = first; number < last; ++number)
-      if (known[number].state == CaseState::open) store.write(number, outcome_of(number));
+      if (known.state(number) == CaseState::open) store.write(number, outcome_of(number));
   }
   /// Everything that a reader sees of the cases, in every bit.
   static std::string contents_of(const fs::path& path, bool with_sessions = true) {
     const StoredStudy study = read_study(path);
     std::ostringstream text;
-    for (std::size_t number = 0; number < study.result.outcomes().size(); ++number) {
-      const CaseOutcome& each = study.result.outcomes()[number];
+    for (std::size_t number = 0; number < study.result.cases().count(); ++number) {
+      const CaseOutcome each = study.result.outcome(number);
       text << StudyCase{study.result.cases(), number}.description() << name_of(each.state) << each.reason << each.steps
            << " " << bits_of(each.energy_error) << " " << bits_of(each.seconds) << " ";
       for (const FileRead& one : each.files) text << one.path << one.sha256;
@@ -115,16 +115,15 @@ TEST_F(Checksums, RefuseEveryChangeAndNameTheCase) {
     EXPECT_NE(shown.find("the results of case 1 are not those that were written"), std::string::npos)
         << statement << ": " << shown;
     EXPECT_NE(shown.find("--retry"), std::string::npos) << shown;
-    EXPECT_EQ(message_of<FileError>([&] { (void)open().outcomes(); }), shown) << statement;
+    EXPECT_EQ(message_of<FileError>([&] { (void)open().result(); }), shown) << statement;
     EXPECT_EQ(message_of<FileError>([&] { merge_studies(all, {file}); }), shown) << statement;
     EXPECT_FALSE(fs::exists(all));
     open().forget_failures();
-    const std::vector<CaseOutcome> kept = open().outcomes();
+    const StudyResult kept = open().result();
     for (std::size_t number = 0; number < 6; ++number)
-      EXPECT_EQ(kept[number].state == CaseState::open, number == 1 || number == 4) << statement << ", case " << number;
+      EXPECT_EQ(kept.state(number) == CaseState::open, number == 1 || number == 4) << statement << ", case " << number;
     compute(0, 6);
-    const std::vector<CaseOutcome> again = open().outcomes();
-    EXPECT_EQ(bits_of(value_of(again[1].results, "drift", "storey 1")), bits_of(0.1)) << statement;
+    EXPECT_EQ(bits_of(value_of(open().result().outcome(1).results, "drift", "storey 1")), bits_of(0.1)) << statement;
   }
   fs::copy_file(folder / "good.db", file, fs::copy_options::overwrite_existing);
   EXPECT_EQ(contents_of(file), before);
@@ -191,7 +190,7 @@ TEST_F(Checksums, CannotBeTurnedOff) {
     fs::copy_file(folder / "good.db", file, fs::copy_options::overwrite_existing);
     change(statement);
     EXPECT_THROW(read_study(file), FileError) << statement;
-    EXPECT_THROW((void)open().outcomes(), FileError) << statement;
+    EXPECT_THROW((void)open().result(), FileError) << statement;
   }
 }
 
@@ -204,11 +203,11 @@ TEST_F(Checksums, StayRightInMergedParts) {
   fs::rename(file, two);
   merge_studies(all, {one, two});
   compute(0, 6);  // undisturbed
-  const std::vector<CaseOutcome> merged = read_study(all).result.outcomes(), whole = open().outcomes();
+  const StudyResult merged = read_study(all).result, whole = open().result();
   for (std::size_t number = 0; number < 6; ++number) {
-    ASSERT_EQ(merged[number].results.size(), whole[number].results.size());
-    for (std::size_t i = 0; i < whole[number].results.size(); ++i)
-      EXPECT_EQ(bits_of(merged[number].results[i].value), bits_of(whole[number].results[i].value));
+    const StudyRecord found = merged.outcome(number).results, expected = whole.outcome(number).results;
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(bits_of(found[i].value), bits_of(expected[i].value));
   }
 }
 

@@ -46,20 +46,21 @@ TEST_F(Store, GivesBackEveryBit) {
     store.write(1, done({{"x", "", "1", -INFINITY}, {"drift", "storey 1", "m", 0.1}}));
     store.write(5, {.state = CaseState::not_converged, .reason = "no"});
   }
-  const std::vector<CaseOutcome> outcomes = open().outcomes();
-  ASSERT_EQ(outcomes.size(), 6u);
-  EXPECT_EQ(outcomes[0].state, CaseState::open);
-  EXPECT_EQ(outcomes[4].state, CaseState::done);
-  EXPECT_EQ(outcomes[4].steps, 1234);
-  EXPECT_EQ(outcomes[4].energy_error, 1e-5 * third);
-  EXPECT_EQ(outcomes[4].seconds, 0.25);
-  EXPECT_EQ(value_of(outcomes[4].results, "drift", "storey 1"), third);
-  EXPECT_EQ(value_of(outcomes[4].results, "drift", "storey 2"), tiny);
-  EXPECT_TRUE(std::isnan(value_of(outcomes[4].results, "x", "")));
-  ASSERT_EQ(outcomes[1].results.size(), 2u);
-  EXPECT_EQ(outcomes[1].results[0].value, -INFINITY) << "results keep their order";
-  EXPECT_EQ(outcomes[5].state, CaseState::not_converged);
-  EXPECT_EQ(outcomes[5].reason, "no");
+  const StudyResult result = open().result();
+  ASSERT_EQ(result.cases().count(), 6u);
+  EXPECT_EQ(result.state(0), CaseState::open);
+  const CaseOutcome fifth = result.outcome(4), second = result.outcome(1);
+  EXPECT_EQ(fifth.state, CaseState::done);
+  EXPECT_EQ(fifth.steps, 1234);
+  EXPECT_EQ(fifth.energy_error, 1e-5 * third);
+  EXPECT_EQ(fifth.seconds, 0.25);
+  EXPECT_EQ(value_of(fifth.results, "drift", "storey 1"), third);
+  EXPECT_EQ(value_of(fifth.results, "drift", "storey 2"), tiny);
+  EXPECT_TRUE(std::isnan(value_of(fifth.results, "x", "")));
+  ASSERT_EQ(second.results.size(), 2u);
+  EXPECT_EQ(second.results[0].value, -INFINITY) << "results keep their order";
+  EXPECT_EQ(result.state(5), CaseState::not_converged);
+  EXPECT_EQ(result.outcome(5).reason, "no");
 }
 
 TEST_F(Store, CanBeReadWithoutItsScript) {
@@ -126,7 +127,7 @@ TEST_F(Store, RefusesAFileThatChangesMeanwhile) {
   store.write(1, that_read("/north.AT2", "1"));
   EXPECT_NE(message_of<InputError>([&] { store.write(2, that_read("/north.AT2", "2")); }).find("/north.AT2 changed"),
             std::string::npos);
-  EXPECT_EQ(store.outcomes()[2].state, CaseState::open);
+  EXPECT_EQ(store.result().state(2), CaseState::open);
 }
 
 TEST_F(Store, KnowsTheVersionOfEveryCaseAfterAcceptedChanges) {
@@ -150,8 +151,8 @@ TEST_F(Store, KnowsTheVersionOfEveryCaseAfterAcceptedChanges) {
   std::vector<std::size_t> versions;
   for (std::size_t i = 0; i < 3; ++i) versions.push_back(study.sessions[study.session_of_case[i]].version);
   EXPECT_EQ(versions, (std::vector<std::size_t>{0, 1, 0}));
-  EXPECT_EQ(study.result.outcomes()[1].files.at(0).sha256, sha256_of("after"));
-  EXPECT_EQ(study.result.outcomes()[2].files.at(0).sha256, sha256_of("before"));
+  EXPECT_EQ(study.result.outcome(1).files.at(0).sha256, sha256_of("after"));
+  EXPECT_EQ(study.result.outcome(2).files.at(0).sha256, sha256_of("before"));
   EXPECT_THROW((StudyStore{file, {cases.axes()[0]}, identity, {}, StudyChanges::accept}), InputError);
 }
 
@@ -238,7 +239,7 @@ TEST_F(Store, WritesNoCaseTwice) {
   StudyStore store = open();
   store.write(0, done({{"x", "", "1", 1.0}}));
   EXPECT_THROW(store.write(0, done({{"x", "", "1", 2.0}})), FileError);
-  EXPECT_EQ(value_of(store.outcomes()[0].results, "x", ""), 1.0);
+  EXPECT_EQ(value_of(store.result().outcome(0).results, "x", ""), 1.0);
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ TEST_F(FileOfAStudy, IsKeptWhereItIsRemovedOrReplaced) {
     }
     // As the message says.
     fs::rename(place / "study.kept.db", file);
-    EXPECT_EQ(open().outcomes()[1].state, CaseState::done);
+    EXPECT_EQ(open().result().state(1), CaseState::done);
   }
 }
 

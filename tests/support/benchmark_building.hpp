@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <moat.hpp>
 #include <nlohmann/json.hpp>
@@ -15,6 +16,13 @@ namespace moat::testing {
 inline std::string folder_of_experiment(const std::string& experiment) {
   const char* folder = std::getenv("MOAT_EXPERIMENTS");
   return folder == nullptr ? "" : std::string{folder} + "/" + experiment + "/";
+}
+
+/// Why tests of an experiment are skipped; empty where its folder is there.
+inline std::string why_experiment_is_missing(const std::string& experiment) {
+  const std::string folder = folder_of_experiment(experiment);
+  if (folder.empty()) return "set MOAT_EXPERIMENTS to a folder with " + experiment + " to run this test";
+  return std::filesystem::is_directory(folder) ? "" : folder + " is not there; MOAT_EXPERIMENTS names its folder";
 }
 
 /// Fault normal along x; in plan fault parallel along y.

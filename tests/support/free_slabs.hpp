@@ -3,7 +3,6 @@
 
 #include <set>
 #include <string>
-#include <vector>
 
 #include "moat.hpp"
 
@@ -11,8 +10,6 @@ namespace moat::testing {
 
 inline constexpr double restitution = 0.65;
 inline ExactHertzDamp law() { return {.stiffness = 1e9 * units::N / units::m_3_2, .restitution = restitution}; }
-
-inline GroundMotion still() { return {"still", 0.005, std::vector<double>(201, 0.0)}; }
 
 inline DiaphragmId add_slab(Model& model, const std::string& name, const PlanOutline& outline, Speed vx = {},
                             Speed vy = {}) {

@@ -25,7 +25,7 @@ inline std::string text_of(const std::filesystem::path& path) { return read_file
 struct ProgramResult {
   int exit_code = -1;
   std::string output, errors;   ///< standard output and standard error
-  double largest_memory = 0.0;  ///< bytes
+  double largest_memory = 0.0;  ///< bytes, not less than those of the test at its start
 };
 
 /// A program that runs in `folder` with no terminal.

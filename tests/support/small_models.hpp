@@ -1,12 +1,29 @@
-// Small models that many tests begin with.
+// Small models and motions that many tests begin with.
 #pragma once
 
+#include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "moat.hpp"
 
 namespace moat::testing {
+
+/// The samples of an acceleration of the ground, m/s^2, as a function of time in s, from 0 s on.
+template <class Acceleration>
+GroundMotion sampled(const std::string& name, Time duration, Time time_step, Acceleration acceleration) {
+  const auto intervals = static_cast<int>(std::lround(duration / time_step));
+  std::vector<double> samples;
+  for (int i = 0; i <= intervals; ++i) samples.push_back(acceleration(time_step.si() * i));
+  return GroundMotion{name, time_step.si(), std::move(samples)};
+}
+
+/// A ground that does not move, for analyses that start from initial values.
+inline GroundMotion still_ground(Time duration, Time time_step = 10 * units::ms) {
+  return sampled("still ground", duration, time_step, [](double) { return 0.0; });
+}
 
 /// A mass on a spring from the ground, beside a dashpot unless the damping ratio is zero.
 struct Oscillator {

@@ -11,6 +11,7 @@
 #include "outcome.hpp"
 #include "random_cases.hpp"
 #include "random_draws.hpp"
+#include "small_models.hpp"
 
 namespace moat::testing {
 namespace {
@@ -21,10 +22,6 @@ using namespace units;
 constexpr double balanced = 1e-7;
 // TransientOptions::steps_per_contact: 32 give restitution to 1e-3.
 constexpr double of_restitution = 1e-3;
-
-GroundMotion still_ground(double duration) {
-  return {"still ground", 0.01, std::vector<double>(static_cast<std::size_t>(duration / 0.01) + 2, 0.0)};
-}
 
 // Adds a gap of any law.
 void add_any_gap(Model& model, RandomDraws& draws, const std::string& name, NodeId left, NodeId right) {
@@ -51,7 +48,7 @@ void expect_energy(const Outcome& outcome) {
 TEST(FreeImpacts, OfBodiesInARowKeepTheirMomentum) {
   for_random_cases(20, [] {
     RandomDraws draws{*seeds()};
-    Problem problem{Model{}, still_ground(3.0)};
+    Problem problem{Model{}, still_ground(3 * s)};
     const int bodies = draws.integer(2, 6);
     std::vector<double> masses, velocities;
     for (int i = 0; i < bodies; ++i) {
@@ -79,7 +76,7 @@ TEST(FreeImpacts, OfSlabsInPlanKeepMomentumAndAngularMomentum) {
   for_random_cases(20, [] {
     RandomDraws draws{*seeds()};
     const double friction = *rc::gen::element(0.0, 0.4).as("friction");
-    Problem problem{Model{}, still_ground(3.0)};
+    Problem problem{Model{}, still_ground(3 * s)};
     std::vector<DiaphragmId> slabs;
     for (const double side : {-1.0, 1.0}) {
       const Angle turn = draws.uniform(-0.1, 0.1) * rad;

@@ -19,11 +19,7 @@ Problem just_open(const Problem& problem) {
   Transient analysis{open.model, open.motion, {.end = problem.end}};
   ClearanceRecorder recorder{open.model};
   analysis.attach(recorder);
-  try {
-    analysis.run();
-  } catch (const RockingError&) {
-    RC_DISCARD("The building rocks.");
-  }
+  run_or_draw_again(analysis);
   double needed = 0.0;
   for (const GapClearance& gap : recorder.clearances())
     needed = std::max(needed, wide * (gap.clearance - gap.left) / gap.clearance);

@@ -180,8 +180,18 @@ PlainModel in_other_units(PlainModel plain, double mass, double time) {
 
 PlainModel in_another_order(const PlainModel& plain, std::uint64_t seed) {
   RandomDraws draws{seed};
-  PlainModel other = plain;
-  const std::vector<std::size_t> order = shuffle(other.nodes, draws);
+  const auto is_wall = [&](std::size_t node) {
+    return std::ranges::any_of(plain.springs, [&](const PlainSpring& spring) {
+      return spring.kind == PlainSpring::Kind::wall && spring.upper == static_cast<int>(node);
+    });
+  };
+  PlainModel other;
+  std::vector<std::size_t> order;
+  // A wall is drawn beside a node that exists.
+  do {
+    other = plain;
+    order = shuffle(other.nodes, draws);
+  } while (is_wall(order.front()));
   for_each_node(other, [&](int& node) {
     if (node == plain_ground) return;
     node = static_cast<int>(std::ranges::find(order, static_cast<std::size_t>(node)) - order.begin());

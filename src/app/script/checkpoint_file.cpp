@@ -1,13 +1,13 @@
 #include "app/script/checkpoint_file.hpp"
 
-#include <fstream>
-#include <iterator>
+#include <ostream>
 #include <string>
 #include <utility>
 
 #include "base/check.hpp"
 #include "base/sha256.hpp"
 #include "output/files/file_io.hpp"
+#include "output/files/folder_exchange.hpp"
 
 namespace moat {
 namespace {
@@ -30,10 +30,9 @@ StateArchive read_checkpoint(const std::filesystem::path& path, const StudyIdent
   const std::string name = path.string();
   const Check check{"checkpoint", name};
   const std::string remedy = "Compute the run again, without --resume.";
-  std::ifstream file{path, std::ios::binary};
-  check.that(file.good(), "it cannot be read.", remedy);
-  std::string bytes{std::istreambuf_iterator<char>{file}, {}};
-  check.that(bytes.starts_with(title), "this is no checkpoint of moat, or its begin is damaged.", remedy);
+  std::string bytes = text_in(path);
+  check.that(bytes.starts_with(title), "this is no checkpoint of moat, its begin is damaged, or it cannot be read.",
+             remedy);
   const std::string_view behind = std::string_view{bytes}.substr(title.size());
   check.that(behind.starts_with(format), "another version of moat wrote it, in another format.", remedy);
   const std::string hash{behind.substr(format.size(), hash_length)};

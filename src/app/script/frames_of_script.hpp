@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "base/text/terminal.hpp"
 #include "output/recorders/step_observer.hpp"
@@ -26,9 +27,15 @@ class FramesOfScript final : public StepObserver {
   void step(const StepView& view) override {
     attempt([&] { frames_->step(view); });
   }
+  /// The frames are one text, which is read whole also where they have failed.
   void archive(StateArchive& archive) override {
-    archive(failure_);
-    attempt([&] { frames_.value().archive(archive); });
+    StateArchive written;
+    if (!archive.reads()) attempt([&] { frames_->archive(written); });
+    std::string failure = failure_, bytes = written.take();
+    archive(failure, bytes);
+    if (failure_.empty()) failure_ = failure;
+    StateArchive saved{std::move(bytes)};
+    if (archive.reads()) attempt([&] { frames_->archive(saved); });
   }
   /// Why frames are missing; empty where none are.
   [[nodiscard]] const std::string& failure() const { return failure_; }

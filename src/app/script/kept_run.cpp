@@ -1,6 +1,7 @@
 #include "app/script/kept_run.hpp"
 
 #include <algorithm>
+#include <fstream>
 #include <utility>
 
 #include "app/script/checkpoint_file.hpp"
@@ -39,19 +40,18 @@ bool KeptRun::stops() {
   if (stopped_) return true;
   stopped_ = StopSignals::received() != 0;
   const Clock::time_point now = Clock::now();
-  if (interval_.count() > 0.0 && failure_.empty() && (stopped_ || now >= checkpoints_.next))
-    checkpoints_.run([&] { write_checkpoint(); });
+  if (interval_.count() > 0.0 && (stopped_ || now >= checkpoints_.next)) checkpoints_.run([&] { write_checkpoint(); });
   if (!stopped_ && !rows_fail_ && now >= rows_.next) rows_.run([&] { write_rows(); });
   return stopped_;
 }
 
 void KeptRun::end() const {
   std::error_code error;
-  if (!can_go_on()) std::filesystem::remove(folder_ / results_file::checkpoint, error);
+  if (!stopped_) std::filesystem::remove(folder_ / results_file::checkpoint, error);
 }
 
 std::string KeptRun::message(const std::vector<std::string>& arguments, const std::filesystem::path& folder) const {
-  if (can_go_on() && std::filesystem::exists(folder / results_file::checkpoint))
+  if (stopped_ && std::filesystem::exists(folder / results_file::checkpoint))
     return "moat: to go on: " + command_to_resume(arguments, folder) + "\n";
   return failure_.empty() ? "" : "moat: This run had no checkpoints. " + failure_ + "\n";
 }
@@ -61,6 +61,7 @@ void KeptRun::write_checkpoint() {
     if (!identity_) identity_ = identity_of_run_();
     moat::write_checkpoint(folder_ / results_file::checkpoint, *identity_,
                            [&](StateArchive& archive) { run_->archive(archive); });
+    failure_.clear();
   } catch (const std::exception& error) {
     failure_ = reason_of(error);
   }
@@ -73,11 +74,12 @@ void KeptRun::write_rows() {
   try {
     if (rows_written_ == 0) {
       write_csv(table, path);
-      histories_.open(path, std::ios::binary | std::ios::app);
     } else {
-      write_csv_rows(table, rows_written_, histories_);
+      // It is closed again: a file that is replaced at the end would take its room on the disk as long as it is open.
+      std::ofstream file{path, std::ios::binary | std::ios::app};
+      write_csv_rows(table, rows_written_, file);
+      rows_fail_ = !file.flush();
     }
-    rows_fail_ = !histories_.flush();
     if (rows_fail_) std::filesystem::resize_file(path, whole_bytes_);
     whole_bytes_ = std::filesystem::file_size(path);
     rows_written_ = table.rows();

@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <optional>
 #include <string>
@@ -20,12 +19,13 @@ namespace moat {
 /// time.
 class KeptRun {
  public:
-  /// interval: of checkpoints, s; 0 for none. identity: asked once. All must outlive this object.
+  /// interval: of checkpoints, s; 0 for none. identity: asked once. stops() alone needs the run.
   KeptRun(CaseRun& run, std::filesystem::path folder, double interval, std::function<StudyIdentity()> identity);
 
   /// Before every step: whether a signal asked the run to stop. It has a last checkpoint then.
   bool stops();
-  /// The run has ended: the checkpoint is removed, unless a signal stopped it.
+  /// The results are written, and nothing is left to go on with: the checkpoint is removed, unless a signal stopped
+  /// the run.
   void end() const;
   /// Returns the command that goes on, or why there are no checkpoints although they are wanted, as a line for the
   /// user; empty where the run has reached its end. folder: of the results.
@@ -44,7 +44,6 @@ class KeptRun {
     template <class Work>
     void run(const Work& work);
   };
-  [[nodiscard]] bool can_go_on() const { return stopped_ && failure_.empty() && interval_.count() > 0.0; }
   void write_checkpoint();
   void write_rows();
 
@@ -54,11 +53,10 @@ class KeptRun {
   std::function<StudyIdentity()> identity_of_run_;
   std::optional<StudyIdentity> identity_;
   Regular checkpoints_, rows_;
-  std::ofstream histories_;
   std::size_t rows_written_ = 0;
   std::uintmax_t whole_bytes_ = 0;  // of the file behind the last rows
   bool rows_fail_ = false, stopped_ = false;
-  std::string failure_;
+  std::string failure_;  // of the last checkpoint
 };
 
 }  // namespace moat

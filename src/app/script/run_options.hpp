@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
+#include <string>
 
 #include "analyses/case/case_run.hpp"
 #include "app/script/script.hpp"
@@ -19,6 +21,9 @@ struct Script::RunOptions {
   TransientOptions transient{};                      ///< Step, tolerance, integrator and end.
   Time frame_interval{};                             ///< Between VTK frames; 0 writes none.
   Time checkpoint{};                                 ///< Between checkpoints; 0 writes none.
+
+  /// Options of runs on which no number depends.
+  inline static const std::set<std::string> without_influence{"out", "force", "checkpoint", "resume", "quiet", "json"};
 
   /// When runs with changed contacts are made.
   [[nodiscard]] ContactSensitivityMode contact_sensitivity() const {

@@ -1,5 +1,7 @@
 #include "app/script/script.hpp"
 
+#include <malloc.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -138,7 +140,7 @@ int Script::run(const Model& model, const GroundMotion& motion, const TransientO
                           .error_bars = options.check ? ErrorBarMode::always : ErrorBarMode::automatic,
                           .contact_sensitivity = options.contact_sensitivity()});
   for (StepObserver* observer : parts_->observers) run->attach(*observer);
-  const auto identity = [&] { return identity_of_script(parts_->line, parts_->origin); };
+  const auto identity = [&] { return identity_of_script(parts_->line, parts_->origin, RunOptions::without_influence); };
   if (options.resume)
     run->go_on_from(read_checkpoint(folder_with_checkpoint(options.folder) / results_file::checkpoint, identity()));
   ResultsFolder folder{options.folder,
@@ -151,8 +153,12 @@ int Script::run(const Model& model, const GroundMotion& motion, const TransientO
   if (options.frame_interval.si() != 0.0)
     run->attach(frames.emplace(model, folder.path(), options.frame_interval.si()));
   Outcome outcome = compute(*run, kept, options);
-  run.reset();  // This frees its memory for the files.
-  kept.end();
+  // The facts of the model and the files need the memory of the run, which the C library would keep.
+  run.reset();
+  malloc_trim(0);
+  outcome.result = with_model(std::move(outcome.result), model);
+  for (const auto& list : {law_assumptions(outcome.result.model), record_folder_notes()})
+    outcome.result.assumptions.insert(outcome.result.assumptions.end(), list.begin(), list.end());
   // Small results are written before a bar could be seen.
   constexpr double many_numbers = 2e6;
   const Table& histories = outcome.result.histories;
@@ -168,6 +174,7 @@ int Script::run(const Model& model, const GroundMotion& motion, const TransientO
                   takes_time && !options.quiet ? WritingProgress{ProgressBar{"writing", "parts"}} : WritingProgress{});
     if (!parts_->sheets.empty()) write_design_sheets(parts_->sheets, folder.path() / results_file::design_sheet);
     if (!record_folder_notes().empty()) write_record_table(folder.path() / results_file::records);
+    if (outcome.exit_code == 0 || outcome.exit_code == exit_no_convergence) kept.end();
   } catch (const std::exception& error) {
     const std::string reason = reason_of(error);
     outcome.fail(reason, exit_error, "Files of these results are missing: " + reason);
@@ -180,13 +187,14 @@ int Script::run(const Model& model, const GroundMotion& motion, const TransientO
   } catch (const FileError& error) {
     outcome.fail(error.what(), exit_error, error.what());
   }
-  if (parts_->json && std::filesystem::exists(folder.final_path() / results_file::summary))
-    parts_->json->write(summary_with_folder(folder.final_path()));
-  const int exit_code = print(outcome, options, folder.final_path());
-  if (folder.final_path() != wanted)
+  const std::filesystem::path results = folder.path();  // beside the old ones where these could not be replaced
+  if (parts_->json && std::filesystem::exists(results / results_file::summary))
+    parts_->json->write(summary_with_folder(results));
+  const int exit_code = print(outcome, options, results);
+  if (results != wanted)
     print_text(std::cerr, "moat: The old results in " + wanted.string() + " stay; those of this run are in " +
-                              folder.final_path().string() + ".\n");
-  print_text(std::cerr, kept.message(parts_->line.arguments(), folder.final_path()));
+                              results.string() + ".\n");
+  print_text(std::cerr, kept.message(parts_->line.arguments(), results));
   return exit_code;
 }
 
@@ -218,11 +226,8 @@ Script::Outcome Script::compute(CaseRun& run, KeptRun& kept, const RunOptions& o
     outcome.failure = reason_of(error);
     outcome.exit_code = exit_error;
   }
-  outcome.result = run.take_result();
+  outcome.result = run.take_result_without_model();
   outcome.result.provenance = parts_->origin;
-  const std::vector<std::string> of_laws = law_assumptions(outcome.result.model);
-  for (const auto& list : {of_laws, record_folder_notes()})
-    outcome.result.assumptions.insert(outcome.result.assumptions.end(), list.begin(), list.end());
   // Readers of the files must not take them for those of a whole run.
   if (!outcome.failure.empty())
     outcome.result.warnings.insert(outcome.result.warnings.begin(),

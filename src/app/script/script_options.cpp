@@ -123,9 +123,11 @@ PlanMotion Script::plan_motion(const PlanMotion& preset) {
   if (second && !record.file) throw InputError{"--record and --record-2: give both components, or none."};
   if (table && (!record.file || second))
     throw InputError{"--records-table: give it together with --record FILE or FOLDER, and without --record-2."};
+  // The table is looked for where the program runs, also for a folder of records.
+  const auto table_file = table ? std::filesystem::current_path() / *table : std::filesystem::path{};
   PlanMotion motion = !record.file ? preset : record.reading([&] {
     if (second) return PlanMotion{read_motion(*record.file, record.text()), read_motion(*second, record.text()), {}};
-    return read_record({*record.file}, {.table = table.value_or(""), .text = record.text()}).plan();
+    return read_record({*record.file}, {.table = table_file, .text = record.text()}).plan();
   });
   motion.incidence = degrees * units::deg;
   if (record.up) motion.vertical = record.reading([&] { return read_motion(*record.up, record.text()); });

@@ -5,7 +5,6 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "app/script/script_study_options.hpp"
 #include "base/files_read.hpp"
 #include "base/sha256.hpp"
 #include "base/text/terminal.hpp"
@@ -75,14 +74,16 @@ std::string command_to_resume(const std::vector<std::string>& arguments, const f
   return command_to_go_on(others, 0);
 }
 
-StudyIdentity identity_of_script(const CommandLine& line, const Provenance& origin) {
+StudyIdentity identity_of_script(const CommandLine& line, const Provenance& origin,
+                                 const std::set<std::string>& left_out) {
   StudyIdentity identity{{"script", origin.script_sha256},
                          {"program", sha256_of_file("/proc/self/exe").value_or("")},
                          {"library", hash_of_library()}};
   for (const auto& [name, value] : line.values()) {
-    if (!ScriptStudyOptions::has_influence(name)) continue;
+    if (left_out.contains(name)) continue;
     std::error_code none;
-    const bool is_path = fs::exists(value, none);
+    // A folder may have the name of a number or a choice.
+    const bool is_path = fs::is_regular_file(value, none) || (value.find('/') != value.npos && fs::exists(value, none));
     const std::string path = fs::absolute(value, none).lexically_normal().string();
     identity["option --" + name] = is_path ? path : value;
     if (const auto hash = sha256_of_file(path)) identity["file " + path] = *hash;

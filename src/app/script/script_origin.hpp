@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -28,7 +29,9 @@ std::string command_to_resume(const std::vector<std::string>& arguments, const s
 
 /// Hashes of script, program and library; the values of all options; hashes of the files that options name and of those
 /// that moat has read outside of cases. An option whose value is a file or folder that exists counts with its absolute
-/// path, however it was written.
-StudyIdentity identity_of_script(const CommandLine& line, const Provenance& origin);
+/// path, however it was written. left_out: options of moat on which no number depends; a script may own any other
+/// name.
+StudyIdentity identity_of_script(const CommandLine& line, const Provenance& origin,
+                                 const std::set<std::string>& left_out);
 
 }  // namespace moat

@@ -21,7 +21,6 @@
 #include "motions/readers/record.hpp"
 #include "motions/readers/record_folder.hpp"
 #include "output/files/building_parts.hpp"
-#include "output/files/csv_writer.hpp"
 #include "output/files/results_folder.hpp"
 #include "study/floor_spectra_of_records.hpp"
 #include "study/profiles.hpp"
@@ -89,7 +88,7 @@ StudyResult ScriptStudy::run(const StudyCases& cases, const std::function<StudyR
   if (speaks()) {
     for (const std::string& mine : {std::string{"report.html"}, name + ".csv", std::string{"pictures"}})
       if (!options_.part) require_own(options_.folder / mine);
-    store.emplace(file, cases, identity_of_script(*line_, origin), now,
+    store.emplace(file, cases, identity_of_script(*line_, origin, ScriptStudyOptions::without_influence), now,
                   options_.accept_changes ? StudyChanges::accept : StudyChanges::refuse);
     if (options_.retry) store->forget_failures();
     options.store = &*store;
@@ -175,7 +174,7 @@ void ScriptStudy::keep(const StudyResult& result, const std::string& name) {
   const auto path = [&](const std::string& ending) { return options_.folder / (name + ending); };
   const auto write_cases = [&] {
     require_own(path(".csv"));
-    write_csv(result.case_table(), path(".csv"));
+    write_csv(result, path(".csv"));
   };
   const auto write_statistics = [&] {
     if (!study.statistics.empty()) write_own_csv(table_of(study.statistics), path(statistics_ending));

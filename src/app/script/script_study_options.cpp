@@ -1,7 +1,6 @@
 #include "app/script/script_study_options.hpp"
 
 #include <charconv>
-#include <set>
 #include <string_view>
 
 #include "base/error.hpp"
@@ -60,12 +59,6 @@ ScriptStudyOptions::ScriptStudyOptions(CommandLine& line) {
   line.add_json_flag();
   if (thread_count) threads = threads_of(*thread_count);
   part = part_of(one, several);
-}
-
-bool ScriptStudyOptions::has_influence(const std::string& option) {
-  static const std::set<std::string> of_studies{"out",   "threads", "retry", "case",       "cases", "accept-changes",
-                                                "quiet", "json",    "force", "checkpoint", "resume"};
-  return !of_studies.contains(option);
 }
 
 }  // namespace moat

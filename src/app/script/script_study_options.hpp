@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -21,8 +22,9 @@ struct ScriptStudyOptions {
   /// The cases of --case or --cases; an end beyond the last case means the last.
   std::optional<std::pair<std::size_t, std::size_t>> part{};
 
-  /// Whether numbers depend on an option of this name; not on those of studies.
-  [[nodiscard]] static bool has_influence(const std::string& option);
+  /// Options of studies on which no number depends.
+  inline static const std::set<std::string> without_influence{"out",   "threads", "retry", "case",
+                                                              "cases", "json",    "quiet", "accept-changes"};
 };
 
 }  // namespace moat

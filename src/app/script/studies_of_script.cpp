@@ -25,11 +25,10 @@ StudyResult Script::study(const StudyCases& cases, const std::function<StudyMode
       cases, [&](const StudyOptions& each) { return run_study(cases, make, each); }, options, name, parts_->origin,
       parts_->line.title());
   // A case that went well is taken: its model can be made.
-  const auto done = std::ranges::find(result.outcomes(), CaseState::done, &CaseOutcome::state);
-  if (parts_->speaks() && !axis_of_records(result).empty() && done != result.outcomes().end()) {
-    const auto number = static_cast<std::size_t>(done - result.outcomes().begin());
-    parts_->study->add_profiles(make(StudyCase{cases, number}).model);
-  }
+  std::size_t done = 0;
+  while (done < cases.count() && result.state(done) != CaseState::done) ++done;
+  if (parts_->speaks() && !axis_of_records(result).empty() && done < cases.count())
+    parts_->study->add_profiles(make(StudyCase{cases, done}).model);
   return result;
 }
 

@@ -36,14 +36,14 @@ std::size_t characters_in(std::string_view text) {
 }
 
 std::string in_columns(const std::vector<std::vector<std::string>>& lines) {
+  std::vector<std::size_t> widths(lines.empty() ? 0 : lines.front().size());
+  for (const std::vector<std::string>& line : lines)
+    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], characters_in(line[i]));
   std::string text;
   for (const std::vector<std::string>& line : lines) {
     std::string row;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-      std::size_t width = 0;
-      for (const std::vector<std::string>& each : lines) width = std::max(width, characters_in(each[i]));
-      row += "  " + line[i] + std::string(width - characters_in(line[i]), ' ');
-    }
+    for (std::size_t i = 0; i < line.size(); ++i)
+      row += "  " + line[i] + std::string(widths[i] - characters_in(line[i]), ' ');
     row.erase(row.find_last_not_of(' ') + 1);
     if (!row.empty()) text += row + "\n";
   }
@@ -51,15 +51,17 @@ std::string in_columns(const std::vector<std::vector<std::string>>& lines) {
 }
 
 std::string as_plain_text(std::string_view text) {
-  std::string valid = as_utf8(text);
+  const std::string valid = as_utf8(text);
+  std::string plain;
   for (auto at = valid.begin(); at != valid.end();) {
     const auto begin = at;
     const char32_t character = utf8::unchecked::next(at);
-    if (!turns_text(character) && character != 0xFFFE && character != 0xFFFF) continue;
-    *begin = '?';
-    at = valid.erase(begin + 1, at);
+    if (turns_text(character) || character == 0xFFFE || character == 0xFFFF)
+      plain += '?';
+    else
+      plain.append(begin, at);
   }
-  return valid;
+  return plain;
 }
 
 std::string escaped_for_xml(std::string_view text) {

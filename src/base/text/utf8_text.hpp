@@ -20,7 +20,7 @@ std::size_t characters_in(std::string_view text);
 /// Lines of cells as text in columns, two blanks before each. All lines have as many cells; empty ones are left out.
 std::string in_columns(const std::vector<std::vector<std::string>>& lines);
 
-/// In UTF-8, with "?" for characters that turn the direction of text and for those that are none.
+/// In UTF-8, with "?" for characters that turn the direction of text and for U+FFFE and U+FFFF.
 std::string as_plain_text(std::string_view text);
 
 /// Text for an element or an attribute between double quotes, with entities for &, <, > and the double quote, in UTF-8.

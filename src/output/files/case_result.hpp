@@ -168,6 +168,10 @@ struct ErrorBars {
   bool unsettled = false;
   std::string reason{};                 ///< of `unsettled`, one sentence
   std::vector<Peak> unsettled_peaks{};  ///< copies of the peaks whose error exceeds 1 % of their value
+
+  void archive(auto& archive) {  ///< StateArchive.
+    archive(checked, companion, companion_impacts, companion_solver, unsettled, reason, unsettled_peaks);
+  }
 };
 
 /// The motion as it was applied.

@@ -114,7 +114,6 @@ void write_csv(const std::vector<Impact>& impacts, const std::filesystem::path& 
 }
 
 void write_peaks_csv(const CaseResult& result, const std::filesystem::path& path) {
-  std::string out = "building,place,quantity,unit,value,error,time [s],side\n";
   std::map<std::string_view, std::string> buildings_at;  // by the place
   for (const BuildingParts& building : result.buildings) {
     if (building.name.empty()) continue;
@@ -123,19 +122,22 @@ void write_peaks_csv(const CaseResult& result, const std::filesystem::path& path
       names += (names.empty() ? "" : " and ") + building.name;
     }
   }
-  for (const Peak& peak : result.peaks) {
-    for (const std::string& text : {buildings_at[peak.where], peak.where, peak.quantity, peak.unit}) {
-      append_text(out, text);
-      out += ',';
+  write_file(path, [&](std::ostream& file) {
+    file << "building,place,quantity,unit,value,error,time [s],side\n";
+    for (const Peak& peak : result.peaks) {
+      std::string row;
+      for (const std::string& text : {buildings_at[peak.where], peak.where, peak.quantity, peak.unit}) {
+        append_text(row, text);
+        row += ',';
+      }
+      for (const double number : {peak.value, peak.error, peak.time}) {
+        if (!std::isnan(number)) append_number(row, number);
+        row += ',';
+      }
+      append_text(row, peak.side);
+      file << row << '\n';
     }
-    for (const double number : {peak.value, peak.error, peak.time}) {
-      if (!std::isnan(number)) append_number(out, number);
-      out += ',';
-    }
-    append_text(out, peak.side);
-    out += '\n';
-  }
-  write_file(path, out);
+  });
 }
 
 void write_participating_masses_csv(const CaseResult& result, const std::filesystem::path& path) {

@@ -1,6 +1,7 @@
 #include "output/files/folder_exchange.hpp"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -90,6 +91,21 @@ bool is_link(const fs::path& path) {
 std::string text_in(const fs::path& path) {
   std::ifstream file{path, std::ios::binary};
   return {std::istreambuf_iterator<char>{file}, {}};
+}
+
+int lock_file(const fs::path& path, int how_to_lock, int how_to_open) {
+  const int file = open(path.c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC | how_to_open, 0666);
+  struct stat locked {
+  }, present{};
+  int reason =
+      file < 0 || flock(file, how_to_lock) != 0 || fstat(file, &locked) != 0 || stat(path.c_str(), &present) != 0
+          ? errno
+          : 0;
+  if (reason == 0 && locked.st_ino != present.st_ino) reason = ESTALE;
+  if (reason == 0) return file;
+  close(file);
+  errno = reason;
+  return -1;
 }
 
 bool is_unfinished(const fs::path& folder) {

@@ -1,6 +1,8 @@
 // Files of moat and of others in results folders, their list, and the exchange of two folders.
 #pragma once
 
+#include <sys/file.h>
+
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -19,6 +21,10 @@ inline constexpr const char* about_unfinished = "moat computes here, or was kill
 bool is_there(const std::filesystem::path& path);
 bool is_link(const std::filesystem::path& path);         ///< Also true without a target.
 std::string text_in(const std::filesystem::path& path);  ///< Empty where there is no such file.
+
+/// Opens a file and locks it until the returned descriptor is closed. -1 with errno where that cannot be: ENOENT or
+/// ESTALE where the file was removed or replaced meanwhile. The kernel gives up the lock of a program that was killed.
+int lock_file(const std::filesystem::path& path, int how_to_lock = LOCK_EX | LOCK_NB, int how_to_open = 0);
 
 /// Whether moat computes in a folder, or was killed there. The mark is empty for a moment, and on a full disk.
 bool is_unfinished(const std::filesystem::path& folder);

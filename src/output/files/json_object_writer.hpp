@@ -53,10 +53,12 @@ class JsonObjectWriter {
   }
   void write(const Json& value, int depth) {
     // A title in another encoding must not cost the results of a run. Texts have no line ends of their own.
-    for (const char c : value.dump(2, ' ', false, Json::error_handler_t::replace)) {
-      *stream_ << c;
-      if (c == '\n') *stream_ << std::string(2 * static_cast<std::size_t>(depth), ' ');
-    }
+    const std::string text = value.dump(2, ' ', false, Json::error_handler_t::replace),
+                      margin(2 * static_cast<std::size_t>(depth), ' ');
+    std::string_view rest = text;
+    for (std::size_t line; (line = rest.find('\n') + 1) > 0; rest.remove_prefix(line))
+      *stream_ << rest.substr(0, line) << margin;
+    *stream_ << rest;
   }
 
   std::ostream* stream_;

@@ -67,7 +67,7 @@ std::string table_of(std::vector<PeakGroup> groups, const std::string& heading) 
 
 }  // namespace
 
-std::string peak_table(const CaseResult& result) { return table_of(group_peaks(peaks_of_tables(result)), "peak "); }
+std::string peak_table(const CaseResult& result) { return table_of(groups_of_tables(result, shorten), "peak "); }
 
 std::string table_at_the_end(const std::vector<Peak>& isolators) { return table_of(group_peaks(isolators), ""); }
 

@@ -8,7 +8,7 @@
 
 namespace moat {
 
-/// The peaks (peaks_of_tables()), grouped by quantity in engineering units, each with its unit, its error where that is
+/// The peaks (groups_of_tables()), grouped by quantity in engineering units, each with its unit, its error where that is
 /// known ("-53.28 +- 0.02", and "+- numerical error" in the heading), of accelerations the value in g, and the time it
 /// was reached. A quantity with more than 12 places has two rows, the largest and the smallest magnitude of its places,
 /// which say how many there are. Empty without peaks.

@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -14,11 +13,14 @@
 #include <exception>
 #include <functional>
 #include <iterator>
+#include <set>
 #include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "base/error.hpp"
+#include "output/files/file_io.hpp"
 #include "output/files/folder_exchange.hpp"
 #include "output/files/provenance.hpp"
 
@@ -41,23 +43,6 @@ std::size_t entries_in(const fs::path& folder) {
   const auto count = std::distance(fs::directory_iterator{folder, error}, {});
   if (error) refuse_folder(folder, "cannot be read", error.message());
   return static_cast<std::size_t>(count);
-}
-
-/// Opens a file and locks it until the returned descriptor is closed. -1 with errno where that cannot be: ENOENT or
-/// ESTALE where the file was removed or replaced meanwhile. The kernel gives up the lock of a program that was killed.
-int lock_file(const fs::path& path, int how_to_lock = LOCK_EX | LOCK_NB, int how_to_open = 0) {
-  const int file = open(path.c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC | how_to_open, 0666);
-  struct stat locked {
-  }, present{};
-  int reason =
-      file < 0 || flock(file, how_to_lock) != 0 || fstat(file, &locked) != 0 || stat(path.c_str(), &present) != 0
-          ? errno
-          : 0;
-  if (reason == 0 && locked.st_ino != present.st_ino) reason = ESTALE;
-  if (reason == 0) return file;
-  close(file);
-  errno = reason;
-  return -1;
 }
 
 /// Makes the file `unfinished`, and locks it as lock_file() does.
@@ -101,11 +86,14 @@ void end_exchange(const fs::path& results) {
   if (name.starts_with(beside(results, 1).filename().string()) && name.find('/') == name.npos) {
     const fs::path old = results.parent_path() / name;
     restore_name(old, results);
-    if (is_there(old)) {
+    // Another run may have taken the name meanwhile.
+    const int lock = is_unfinished(old) ? lock_file(old / results_file::unfinished) : -1;
+    if (is_there(old) && (lock >= 0 || !is_unfinished(old))) {
       wait_for_disk(results);
       link_foreign_files(old, results);
       remove_results(old, results);
     }
+    close(lock);
   }
   std::error_code error;
   fs::remove(mark, error);
@@ -176,6 +164,13 @@ fs::path with_name(fs::path wanted) {
   return wanted;
 }
 
+/// Not a link is exchanged, but its target.
+fs::path without_link(fs::path folder) {
+  std::error_code error;
+  const fs::path target = fs::canonical(folder, error);
+  return is_link(folder) && !error ? target : folder;
+}
+
 /// The first of results_2, results_3 ... that does not exist, and that `take` gets.
 fs::path next_number(const fs::path& results, const std::function<bool(const fs::path&)>& take) {
   for (int number = 2;; ++number) {
@@ -188,15 +183,12 @@ fs::path next_number(const fs::path& results, const std::function<bool(const fs:
 }  // namespace
 
 ResultsFolder::ResultsFolder(const fs::path& wanted, WhenFolderExists when_exists, const std::string& command)
-    : final_{with_name(wanted)} {
+    : final_{when_exists == WhenFolderExists::use_new_number ? with_name(wanted) : without_link(with_name(wanted))} {
   if (when_exists == WhenFolderExists::go_on) {
     go_on(command);
     return;
   }
   const bool replaces = when_exists == WhenFolderExists::overwrite;
-  std::error_code error;
-  // Not a link is exchanged, but its target.
-  if (const fs::path target = fs::canonical(final_, error); replaces && is_link(final_) && !error) final_ = target;
   if (replaces) end_killed_runs(final_);
   create(final_);
   mark_ = claim(final_, command);
@@ -215,26 +207,37 @@ ResultsFolder::ResultsFolder(const fs::path& wanted, WhenFolderExists when_exist
 }
 
 fs::path folder_with_checkpoint(const fs::path& wanted) {
-  std::error_code error;
-  const fs::path folder = with_name(wanted), beside = folder.string() + ".new";
-  for (const fs::path& each : {folder, beside})
-    if (fs::exists(each / results_file::checkpoint, error)) return each;
-  throw InputError{"results folder " + folder.string() +
+  const fs::path results = without_link(with_name(wanted));
+  std::vector<fs::path> folders{results};
+  for (int number = 1; is_there(beside(results, number)); ++number) folders.push_back(beside(results, number));
+  for (const fs::path& folder : folders)
+    if (!is_link(folder) && is_there(folder / results_file::checkpoint)) return folder;
+  throw InputError{"results folder " + results.string() +
                    " has no checkpoint of a run that was killed or stopped. Give the folder of that run with --out, or "
                    "leave out --resume."};
 }
 
 void ResultsFolder::go_on(const std::string& command) {
   if (const fs::path folder = folder_with_checkpoint(final_); folder != final_) beside_ = folder;
-  mark_ = is_unfinished(path()) ? lock_file(path() / results_file::unfinished) : mark(path(), command);
-  if (mark_ < 0)
+  // Results of a run that was stopped are complete. Another run may replace them now, or have done so.
+  const bool was_killed = is_unfinished(path());
+  const int list = was_killed ? -1 : lock_file(path() / results_file::list);
+  if (was_killed)
+    mark_ = lock_file(path() / results_file::unfinished);
+  else if (list >= 0 ? is_there(path() / results_file::checkpoint) : errno == ENOENT)
+    mark_ = mark(path(), command);
+  if (const int reason = errno; mark_ < 0) {
+    close(list);
+    if (reason != EWOULDBLOCK && reason != EEXIST) refuse_folder(path(), "cannot be locked", std::strerror(reason));
     throw InputError{"results folder " + path().string() + ": another run computes there. Wait for its end."};
-  // Results of a run that was stopped are complete no more; others were being written when the run was killed.
-  std::vector<fs::path> left{results_file::list};
-  for (const fs::directory_entry& entry : fs::directory_iterator{path()})
-    if (entry.path().extension().string().starts_with(".unfinished-")) left.push_back(entry.path().filename());
+  }
+  // Charts of the stopped run may have names that the whole run has not.
   std::error_code error;
-  for (const fs::path& name : left) fs::remove(path() / name, error);
+  for (const fs::path& name : files_of_moat(path()).value_or(std::set<fs::path>{}))
+    if (*name.begin() == results_file::charts_folder || name.string().find(unfinished_ending) != std::string::npos)
+      fs::remove(path() / name, error);
+  fs::remove(path() / results_file::list, error);
+  close(list);
 }
 
 void ResultsFolder::make_folder_beside(const std::string& command) {

@@ -55,13 +55,14 @@ enum class WhenFolderExists {
   /// in the folders frames and charts. All other files stay; links of such names are removed, not followed. Throws
   /// InputError where there is neither `.moat` nor `unfinished` of moat.
   overwrite,
-  /// Go on in the folder, or in "<name>.new" beside, that has the file `checkpoint`. All that stands there stays.
-  /// Throws InputError where there is none, or another run computes there.
+  /// Go on in folder_with_checkpoint(). The list of files, single charts, and files that were not written to their end
+  /// are removed; all others stay. Throws InputError where there is no checkpoint, or another run computes there, and
+  /// FileError where the folder cannot be locked.
   go_on
 };
 
-/// Returns this folder, or "<name>.new" beside it, where that has the file `checkpoint`. Throws InputError where
-/// neither has one.
+/// Returns this folder, or the first of "<name>.new", "<name>.new_2" ... beside it, that has the file `checkpoint`; of
+/// a link its target, or those beside that. Throws InputError where none has one.
 std::filesystem::path folder_with_checkpoint(const std::filesystem::path& wanted);
 
 /// The folder of one run. It is taken at once: of runs that start together each gets a folder of its own, and a run
@@ -85,7 +86,8 @@ class ResultsFolder {
   /// exists).
   ResultsFolder(const std::filesystem::path& wanted, WhenFolderExists when_exists,
                 const std::string& command = program_invocation_name);
-  /// Without finish() before, "<name>.new" stays, and during an exception any folder stays unfinished.
+  /// Without finish() before, "<name>.new" stays unfinished, and any other folder where an exception is under way; else
+  /// that loses its mark.
   ~ResultsFolder();
   ResultsFolder(const ResultsFolder&) = delete;
   ResultsFolder& operator=(const ResultsFolder&) = delete;

@@ -68,48 +68,22 @@ std::optional<double> mean_of_last_turns(const std::vector<double>& times, const
   return moves ? std::optional{0.5 * (turns[0].value + turns[1].value)} : std::nullopt;
 }
 
-}  // namespace
-
-std::vector<Peak> peaks_of_tables(const CaseResult& result) {
-  const std::set<std::string> constant = constant_quantities(result.histories);
-  const std::set<std::string> of_contact{"impact_force", "indentation", "friction_force"};
-  const auto bearings = single_bearings(result.model);
-  // A light wall rings after every hit; its accelerations are of no use beside those of floors.
-  std::set<std::string> walls;
-  for (const BuildingParts& building : result.buildings)
-    for (const GapOfBuilding& gap : building.gaps) walls.insert(gap.wall);
-  std::vector<Peak> shown = result.peaks;
-  std::erase_if(shown, [&](const Peak& peak) {
-    return constant.contains(peak.quantity) || bearings.contains(peak.where) ||
-           (peak.quantity == "absolute_acceleration" && walls.contains(peak.where)) ||
-           (peak.value == 0.0 && of_contact.contains(peak.quantity));
-  });
-  return shown;
-}
-
-std::map<std::string, const ElementFacts*> single_bearings(const ModelFacts& model) {
-  std::map<std::string, const ElementFacts*> bearings;
-  for (const ElementFacts& element : model.elements)
-    if (element.kind == "bearing" && element.place != element.name && !element.place.empty())
-      bearings[element.name] = &element;
-  return bearings;
-}
-
-std::vector<PeakGroup> group_peaks(const std::vector<Peak>& peaks) {
+std::vector<PeakGroup> groups_of(const std::vector<const Peak*>& peaks,
+                                 const std::function<void(PeakGroup&)>& shorten) {
   std::vector<PeakGroup> groups;
   std::vector<char> done(peaks.size(), 0);
   for (std::size_t first = 0; first < peaks.size(); ++first) {
     if (done[first] != 0) continue;
-    const EngineeringUnit unit = engineering_unit(peaks[first].unit);
+    const EngineeringUnit unit = engineering_unit(peaks[first]->unit);
     std::vector<const Peak*> members;
     double largest = 0.0;
     for (std::size_t i = first; i < peaks.size(); ++i) {
-      if (peaks[i].quantity != peaks[first].quantity || peaks[i].unit != peaks[first].unit) continue;
+      if (peaks[i]->quantity != peaks[first]->quantity || peaks[i]->unit != peaks[first]->unit) continue;
       done[i] = 1;
-      members.push_back(&peaks[i]);
-      largest = std::max(largest, std::abs(unit.per_si * peaks[i].value));
+      members.push_back(peaks[i]);
+      largest = std::max(largest, std::abs(unit.per_si * peaks[i]->value));
     }
-    PeakGroup group{in_words(peaks[first].quantity), unit.symbol, second_unit(peaks[first].unit).symbol, {}};
+    PeakGroup group{in_words(peaks[first]->quantity), unit.symbol, second_unit(peaks[first]->unit).symbol, {}};
     for (const Peak* peak : members) {
       const RoundedError error = rounded_error(unit.per_si * peak->error);
       const int decimals = std::min(decimals_for(largest), error.decimals);
@@ -123,9 +97,44 @@ std::vector<PeakGroup> group_peaks(const std::vector<Peak>& peaks) {
                             peak->quantity == clearance_left ? peak->value : peak->magnitude()});
     }
     align_points(group.rows);
+    if (shorten) shorten(group);
+    group.rows.shrink_to_fit();
     groups.push_back(std::move(group));
   }
   return groups;
+}
+
+}  // namespace
+
+std::vector<PeakGroup> groups_of_tables(const CaseResult& result, const std::function<void(PeakGroup&)>& shorten) {
+  const std::set<std::string> constant = constant_quantities(result.histories);
+  const std::set<std::string> of_contact{"impact_force", "indentation", "friction_force"};
+  const auto bearings = single_bearings(result.model);
+  // A light wall rings after every hit; its accelerations are of no use beside those of floors.
+  std::set<std::string> walls;
+  for (const BuildingParts& building : result.buildings)
+    for (const GapOfBuilding& gap : building.gaps) walls.insert(gap.wall);
+  std::vector<const Peak*> shown;
+  for (const Peak& peak : result.peaks)
+    if (!constant.contains(peak.quantity) && !bearings.contains(peak.where) &&
+        !(peak.quantity == "absolute_acceleration" && walls.contains(peak.where)) &&
+        !(peak.value == 0.0 && of_contact.contains(peak.quantity)))
+      shown.push_back(&peak);
+  return groups_of(shown, shorten);
+}
+
+std::map<std::string, const ElementFacts*> single_bearings(const ModelFacts& model) {
+  std::map<std::string, const ElementFacts*> bearings;
+  for (const ElementFacts& element : model.elements)
+    if (element.kind == "bearing" && element.place != element.name && !element.place.empty())
+      bearings[element.name] = &element;
+  return bearings;
+}
+
+std::vector<PeakGroup> group_peaks(const std::vector<Peak>& peaks) {
+  std::vector<const Peak*> all;
+  for (const Peak& peak : peaks) all.push_back(&peak);
+  return groups_of(all, {});
 }
 
 PeakGroup clearance_group(const std::vector<GapClearance>& clearances) {

@@ -1,6 +1,7 @@
 // Peaks as people read them.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -30,9 +31,10 @@ struct PeakGroup {
   std::vector<PeakRow> rows;  ///< in the order of the peaks
 };
 
-/// The peaks of a result that tables show: without quantities that are constant in the histories, without gaps that
-/// stayed open, and without those of single bearings in plan, which have a table of their own.
-std::vector<Peak> peaks_of_tables(const CaseResult& result);
+/// The groups of a result that tables show: without quantities that are constant in the histories, without gaps that
+/// stayed open, and without those of single bearings in plan, which have a table of their own. `shorten` gets each
+/// group before the next is made.
+std::vector<PeakGroup> groups_of_tables(const CaseResult& result, const std::function<void(PeakGroup&)>& shorten);
 
 /// The bearings whose peaks are listed together with those of others: elements of the model, by their names.
 std::map<std::string, const ElementFacts*> single_bearings(const ModelFacts& model);

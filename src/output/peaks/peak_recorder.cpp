@@ -3,11 +3,23 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
+#include <string_view>
+#include <utility>
 
 namespace moat {
+namespace {
+
+Peak peak_of(std::string_view quantity, std::string_view where, double value, std::string_view unit, double time) {
+  return {std::string{quantity}, std::string{where}, value, std::string{unit}, time};
+}
+
+}  // namespace
 
 PeakRecorder::PeakRecorder(const Model& model)
-    : model_{&model}, channels_{std::make_shared<const Channels>(model)}, peaks_{channels_->list().size()} {
+    : model_{&model},
+      channels_{std::make_shared<const Channels>(model)},
+      peaks_{channels_->list().size(), model.is_plan()} {
   for (std::size_t i = 0; i < channels_->list().size(); ++i)
     if (channels_->list()[i].quantity == "bearing_compression") smallest_.push_back({.channel = i});
 }
@@ -86,21 +98,26 @@ void PeakRecorder::event(const StepView& view, std::span<const RegimeChange>) {
 
 std::vector<Peak> PeakRecorder::peaks() const {
   std::vector<Peak> peaks;
-  peaks.reserve(peaks_.size());
+  peaks.reserve(peaks_.size() + peaks_.size() / 4);  // drift ratios follow
   std::vector<std::size_t> channel_of_peak;
-  std::map<std::pair<std::string, std::string>, std::size_t> index;
+  // Only places that channels share are looked up.
+  std::set<std::string_view> shared;
+  for (const Channel& channel : channels_->list())
+    if (channel.where != channel.place) shared.insert({channel.where, channel.place});
+  std::map<std::pair<std::string_view, std::string_view>, std::size_t> index;
   for (std::size_t i = 0; i < peaks_.size(); ++i) {
     const Channel& channel = channels_->list()[i];
-    const auto [found, inserted] = index.try_emplace({channel.quantity, channel.place}, peaks.size());
-    if (inserted) {
-      peaks.push_back({channel.quantity, channel.place, 0.0, channel.unit, 0.0});
+    std::size_t at = peaks.size();
+    if (shared.contains(channel.place)) at = index.try_emplace({channel.quantity, channel.place}, at).first->second;
+    if (at == peaks.size()) {
+      peaks.push_back(peak_of(channel.quantity, channel.place, 0.0, channel.unit, 0.0));
       channel_of_peak.push_back(i);
     }
-    Peak& peak = peaks[found->second];
+    Peak& peak = peaks[at];
     if (peaks_.magnitude(i) > peak.magnitude()) {
       peak.value = peaks_.value(i);
       peak.time = peaks_.time(i);
-      channel_of_peak[found->second] = i;
+      channel_of_peak[at] = i;
     }
   }
   for (std::size_t i = 0; i < peaks.size(); ++i) peaks[i].side = side_of(channel_of_peak[i], peaks[i]);
@@ -110,11 +127,11 @@ std::vector<Peak> PeakRecorder::peaks() const {
     const bool of_bearing = channel.quantity == "isolator_deformation" || channel.quantity == "isolator_force" ||
                             channel.quantity == "bearing_compression";
     if (of_bearing && channel.where != channel.place && !index.contains({channel.quantity, channel.where}))
-      peaks.push_back({channel.quantity, channel.where, peaks_.value(i), channel.unit, peaks_.time(i)});
+      peaks.push_back(peak_of(channel.quantity, channel.where, peaks_.value(i), channel.unit, peaks_.time(i)));
   }
   for (const Smallest& each : smallest_) {
     const Channel& channel = channels_->list()[each.channel];
-    peaks.push_back({"smallest_bearing_compression", channel.where, each.value, channel.unit, each.time});
+    peaks.push_back(peak_of("smallest_bearing_compression", channel.where, each.value, channel.unit, each.time));
   }
   peaks.insert(peaks.end(), uplifts_.begin(), uplifts_.end());
   // In plan the maxima of two directions make no sum, and coupled masses have no inertia of a floor alone.
@@ -136,7 +153,7 @@ std::vector<Peak> PeakRecorder::peaks() const {
 std::string PeakRecorder::side_of(std::size_t channel, const Peak& peak) const {
   const Channel& of_peak = channels_->list()[channel];
   if (peak.value == 0.0) return "";
-  if (of_peak.where != of_peak.place) return of_peak.where;
+  if (of_peak.where != of_peak.place) return std::string{of_peak.where};
   if (of_peak.of_gap || model_->is_plan()) return "";
   return peak.value > 0.0 ? "right" : "left";
 }

@@ -53,19 +53,21 @@ struct CommonInstant {
 /// fills next() and then calls add() or restart().
 class PeakTrackers {
  public:
-  /// `count` quantities.
-  explicit PeakTrackers(std::size_t count)
-      : values_(count), times_(count), last_bends_(count, -std::numeric_limits<double>::infinity()) {
+  /// `count` quantities. may_bend: whether add_bend() may be called, which takes instants further back.
+  explicit PeakTrackers(std::size_t count, bool may_bend = true)
+      : values_(count), times_(count), kept_{may_bend ? most_kept : 3} {
+    if (may_bend) last_bends_.assign(count, -std::numeric_limits<double>::infinity());
     constexpr std::size_t most_turns_at_once = 1024;  // more are rare
     turns_.reserve(std::min(count, most_turns_at_once));
     // Without rates at first, so that nothing turns.
-    for (CommonInstant& instant : instants_) instant = {0.0, std::vector<double>(count), std::vector<double>(count)};
+    for (std::size_t i = 0; i < kept_; ++i)
+      instants_[i] = {0.0, std::vector<double>(count), std::vector<double>(count)};
   }
 
   /// The number of quantities.
   [[nodiscard]] std::size_t size() const { return values_.size(); }
   /// For the caller to fill, with as many values and rates as quantities.
-  [[nodiscard]] CommonInstant& next() { return instants_[(newest_ + 1) % kept]; }
+  [[nodiscard]] CommonInstant& next() { return instants_[(newest_ + 1) % kept_]; }
   [[nodiscard]] const CommonInstant& last() const { return before(0); }   ///< The end of the last step.
   [[nodiscard]] const CommonInstant& start() const { return before(1); }  ///< The start of the last step.
 
@@ -140,9 +142,9 @@ class PeakTrackers {
   void archive(auto& archive) { archive(values_, times_, last_bends_, turns_, instants_, newest_); }
 
  private:
-  static constexpr std::size_t kept = 6;  // the next instant, both ends of the last step, and three before them
+  static constexpr std::size_t most_kept = 6;
 
-  [[nodiscard]] const CommonInstant& before(std::size_t steps) const { return instants_[(newest_ - steps) % kept]; }
+  [[nodiscard]] const CommonInstant& before(std::size_t steps) const { return instants_[(newest_ - steps) % kept_]; }
   [[nodiscard]] static Instant of(const CommonInstant& instant, std::size_t i) {
     return {instant.time, instant.values[i], instant.rates[i]};
   }
@@ -153,7 +155,7 @@ class PeakTrackers {
     constexpr double round_off = 1e-5;  // of the peak
     const double start_time = start().time;
     Instant known = of(start(), i);
-    for (std::size_t steps = 2; steps < kept - 1 && start_time - known.time <= earlier; ++steps) {
+    for (std::size_t steps = 2; steps < kept_ - 1 && start_time - known.time <= earlier; ++steps) {
       const Instant before_it = of(before(steps), i);
       const double jump = std::abs(before_it.value - known.value) + earlier * std::abs(before_it.rate - known.rate);
       const bool jumped = before_it.time == known.time && jump > round_off * magnitude(i);
@@ -187,10 +189,11 @@ class PeakTrackers {
   }
 
   std::vector<double> values_, times_;
-  std::vector<double> last_bends_;  // s
+  std::vector<double> last_bends_;  // s; empty where nothing bends
   std::vector<Turn> turns_;         // of the last step
-  std::array<CommonInstant, kept> instants_;
-  std::size_t newest_ = kept;
+  std::size_t kept_;                // instants: the next one, both ends of the last step, and three before them
+  std::array<CommonInstant, most_kept> instants_;
+  std::size_t newest_ = most_kept;
 };
 
 }  // namespace moat

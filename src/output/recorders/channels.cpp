@@ -10,14 +10,13 @@ Channels::Channels(const Model& model) {
   for (std::size_t b = 0; b < model.blocks().size(); ++b) add_elements(model, b);
   for (const Building& building : model.buildings())
     for (const StoreyResult& result : building.storey_results) {
-      storey_sums_.push_back({list_.size(), result});
-      list_.push_back({result.quantity, result.place, result.place, result.unit});
+      storey_sums_.push_back({list_.size(), &result});
+      list_.add(result.quantity, result.place, result.place, result.unit);
     }
   weights_ = WeightChannels{model, list_};
   base_shear_of_node_.assign(static_cast<std::size_t>(model.nodes()), -1);
   if (model.is_plan()) {
     plan_ = PlanChannels{model, list_};
-    list_.shrink_to_fit();
     return;
   }
   for (const Building& building : model.buildings()) {
@@ -27,9 +26,8 @@ Channels::Channels(const Model& model) {
     base_shears_.push_back({list_.size(), std::move(nodes), has_followers});
     for (const NodeId node : base_shears_.back().nodes)
       base_shear_of_node_[static_cast<std::size_t>(model.place(node))] = static_cast<int>(list_.size());
-    list_.push_back({"total_base_shear", building.base_name(), building.base_name(), "N"});
+    list_.add("total_base_shear", building.base_name(), building.base_name(), "N");
   }
-  list_.shrink_to_fit();
 }
 
 void Channels::add_elements(const Model& model, std::size_t b) {
@@ -40,18 +38,17 @@ void Channels::add_elements(const Model& model, std::size_t b) {
     if (!info.deformation_quantity.empty()) {
       const bool indentation = block.kind().contacts;
       (indentation ? of_block.indentations : of_block.deformations).push_back({e, list_.size()});
-      list_.push_back({info.deformation_quantity, info.name, info.listed_under(), "m", block.kind().contacts});
+      list_.add(info.deformation_quantity, info.name, info.listed_under(), "m", block.kind().contacts);
     }
     if (info.force_quantity.empty()) continue;
     if (!block.kind().constant_tangent) of_laws_.push_back({list_.size(), b, e});
     of_block.forces.push_back({e, list_.size()});
-    list_.push_back({info.force_quantity, info.name, info.listed_under(), "N", block.kind().contacts});
+    list_.add(info.force_quantity, info.name, info.listed_under(), "N", block.kind().contacts);
     const auto quantities = block.quantities(e);
     for (std::size_t q = 0; q < quantities.size(); ++q) {
       const ReportedQuantity& quantity = quantities[q];
       of_block.law_quantities.push_back({e, list_.size(), q});
-      list_.push_back({std::string{quantity.name}, info.name, info.listed_under(), std::string{quantity.unit},
-                       block.kind().contacts});
+      list_.add(quantity.name, info.name, info.listed_under(), quantity.unit, block.kind().contacts);
     }
   }
   if (!of_block.deformations.empty() || !of_block.indentations.empty() || !of_block.forces.empty())
@@ -61,9 +58,7 @@ void Channels::add_elements(const Model& model, std::size_t b) {
 void Channels::add_node(const Model& model, NodeId id) {
   const PlacedDiaphragm* diaphragm = model.diaphragm_of(id);
   const std::string name{diaphragm != nullptr ? std::string_view{diaphragm->name} : model.node_name(id)};
-  const auto add = [&](const std::string& quantity, const char* unit) {
-    list_.push_back({quantity, name, name, unit});
-  };
+  const auto add = [&](const std::string& quantity, const char* unit) { list_.add(quantity, name, name, unit); };
   if (diaphragm != nullptr && id == diaphragm->id.r) {
     rotations_.push_back({list_.size(), 1.0 / diaphragm->gyration});
     add("rotation", "rad");
@@ -148,11 +143,11 @@ void Channels::sample_storeys(const StepView& view, double* values, double* rate
   const MotionState& motion = view.state.motion();
   for (const auto& [channel, result] : storey_sums_) {
     double value = 0.0, rate = 0.0;
-    for (const MotionShare& share : result.displacements) {
+    for (const MotionShare& share : result->displacements) {
       value += share.weight * motion.displacement[share.node.index];
       rate += share.weight * motion.velocity[share.node.index];
     }
-    for (const ForceShare& share : result.forces) {
+    for (const ForceShare& share : result->forces) {
       const ResultsOf<double> results = view.state.elements(share.element.block).results().line;
       value += share.weight * results.forces[share.element.element];
       rate += share.weight * results.force_rates[share.element.element];

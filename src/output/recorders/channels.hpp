@@ -2,10 +2,11 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
+#include <deque>
 #include <vector>
 
 #include "model/model.hpp"
+#include "output/recorders/channel_list.hpp"
 #include "output/recorders/plan_channels.hpp"
 #include "output/recorders/step_observer.hpp"
 #include "output/recorders/weight_channels.hpp"
@@ -19,11 +20,11 @@ namespace moat {
 /// Displacement and velocity are relative to the ground, accelerations absolute.
 class Channels {
  public:
-  /// The model must be complete.
+  /// The model must be complete, and outlive the channels.
   explicit Channels(const Model& model);
 
   /// In the order of values.
-  [[nodiscard]] const std::vector<Channel>& list() const { return list_; }
+  [[nodiscard]] const std::deque<Channel>& list() const { return list_.channels(); }
   /// values := all channels at the committed state, rates := their rates, per second; as long as list().
   void sample(const StepView& view, std::vector<double>& values, std::vector<double>& rates) const;
   /// A channel at a fraction of the step that led to the committed state, where a cubic through its values and rates
@@ -65,7 +66,7 @@ class Channels {
     std::size_t channel, block, element;
   };
 
-  std::vector<Channel> list_;
+  ChannelList list_;
   std::vector<BlockChannels> blocks_;
   std::vector<LawChannel> of_laws_;  // ascending
   PlanChannels plan_;                // behind all others; on a line without channels
@@ -85,7 +86,7 @@ class Channels {
   std::vector<BaseShear> base_shears_;
   struct StoreySum {
     std::size_t channel;
-    StoreyResult result;
+    const StoreyResult* result;  // of the model
   };
   std::vector<StoreySum> storey_sums_;
   WeightChannels weights_;

@@ -1,6 +1,7 @@
 #include "output/recorders/history_recorder.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -29,7 +30,8 @@ HistoryRecorder::HistoryRecorder(const Model& model, double interval, const Ener
     recorded_.columns.push_back({"ground_acceleration", "ground", "m/s^2", {}});
   }
   for (const Channel& channel : channels_->list())
-    recorded_.columns.push_back({channel.quantity, channel.where, channel.unit, {}});
+    recorded_.columns.push_back(
+        {std::string{channel.quantity}, std::string{channel.where}, std::string{channel.unit}, {}});
   for (std::size_t b = 0; b < model.blocks().size(); ++b) {
     if (!model.blocks()[b]->kind().contacts) continue;
     for (std::size_t e = 0; e < model.blocks()[b]->size(); ++e) {
@@ -84,6 +86,7 @@ void HistoryRecorder::event(const StepView& view, std::span<const RegimeChange>)
 void HistoryRecorder::take(const StepView& view, bool with_energies) {
   now_.time = view.state.time();
   now_.ground_acceleration = view.ground_acceleration.horizontal();
+  for (std::vector<double>* each : {&now_.values, &now_.rates}) each->reserve(channels_->list().size() + gaps_.size());
   if (sampled_ != nullptr) {
     now_.values = sampled_->last().values;
     now_.rates = sampled_->last().rates;
@@ -137,16 +140,12 @@ double HistoryRecorder::fit(double duration, double bytes) {
   constexpr double bytes_per_value = 500.0 / 45.0;
   const double needed = (duration / interval_ + 1.0) * static_cast<double>(recorded_.columns.size()) * bytes_per_value;
   if (needed <= bytes) return 0.0;
-  interval_ *= std::ceil(needed / bytes);
+  // 1, 2, 5, 10, 20 ... times, so that equal runs seldom differ with the memory that happens to be free.
+  constexpr std::array steps{2.0, 2.5, 2.0};
+  double factor = 1.0;
+  for (std::size_t i = 0; factor * bytes < needed; ++i) factor *= steps[i % steps.size()];
+  interval_ *= factor;
   return needed;
-}
-
-Table HistoryRecorder::take_table() {
-  Table taken;
-  taken.columns.reserve(recorded_.columns.size());
-  for (Column& column : recorded_.columns)
-    taken.columns.push_back({column.quantity, column.where, column.unit, std::exchange(column.values, {})});
-  return taken;
 }
 
 void HistoryRecorder::add_row(const Sample& sample) {

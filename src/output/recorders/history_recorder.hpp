@@ -52,8 +52,8 @@ class HistoryRecorder final : public StepObserver {
 
   /// All columns, from the start to the last recorded time.
   [[nodiscard]] const Table& table() const { return recorded_; }
-  /// Returns all columns; the recorder then no longer has their rows.
-  [[nodiscard]] Table take_table();
+  /// Behind the end: returns all columns, which the recorder then no longer has.
+  [[nodiscard]] Table take_table() { return std::exchange(recorded_, {}); }
 
  private:
   // Everything at one instant.

@@ -36,7 +36,7 @@ void write(double of_value, double of_rate, double*& value, double*& rate) {
 
 }  // namespace
 
-PlanChannels::PlanChannels(const Model& model, std::vector<Channel>& list) : first_{list.size()} {
+PlanChannels::PlanChannels(const Model& model, ChannelList& list) : first_{list.size()} {
   for (const PlacedDiaphragm& diaphragm : model.diaphragms()) add_diaphragm(model, diaphragm, list);
   for (const Building& building : all_buildings(model)) add_drifts(model, building, list);
   // The order of sample(): all drifts at corners before those at centres.
@@ -45,13 +45,13 @@ PlanChannels::PlanChannels(const Model& model, std::vector<Channel>& list) : fir
     const auto corner = static_cast<std::size_t>(&drift - corner_drifts_.data());
     std::size_t of_floor = 0;
     for (std::size_t i = 0; i < corner; ++i) of_floor += corner_drifts_[i].of == drift.of ? 1 : 0;
-    list.push_back({"corner_drift", floor.name + " corner " + std::to_string(of_floor + 1), floor.name, "m"});
+    list.add("corner_drift", floor.name + " corner " + std::to_string(of_floor + 1), floor.name, "m");
   }
   for (const Drift& drift : centre_drifts_) {
     const std::string& name = model.diaphragm(drift.of).name;
-    list.push_back({"drift_x", name, name, "m"});
-    list.push_back({"drift_y", name, name, "m"});
-    list.push_back({"drift_rotation", name, name, "rad"});
+    list.add("drift_x", name, name, "m");
+    list.add("drift_y", name, name, "m");
+    list.add("drift_rotation", name, name, "rad");
   }
   add_elements(model, list);
   for (const Building& building : model.buildings()) {
@@ -61,18 +61,17 @@ PlanChannels::PlanChannels(const Model& model, std::vector<Channel>& list) : fir
       if (const PlacedDiaphragm* diaphragm = model.diaphragm_of(node)) floors.push_back(diaphragm->id);
     shears_.push_back(list.size());
     const std::string where = building.base_name();
-    list.push_back({"total_base_shear_x", where, where, "N"});
-    list.push_back({"total_base_shear_y", where, where, "N"});
-    list.push_back({"total_base_torque", where, where, "N m"});
+    list.add("total_base_shear_x", where, where, "N");
+    list.add("total_base_shear_y", where, where, "N");
+    list.add("total_base_torque", where, where, "N m");
   }
 }
 
-void PlanChannels::add_diaphragm(const Model& model, const PlacedDiaphragm& diaphragm, std::vector<Channel>& list) {
+void PlanChannels::add_diaphragm(const Model& model, const PlacedDiaphragm& diaphragm, ChannelList& list) {
   const auto add = [&](PlanVector arm, const std::string& prefix, const std::string& where) {
     points_.push_back({Channels::of_node(model, diaphragm.id.x), arm});
-    list.push_back({prefix + "displacement", where, diaphragm.name, "m"});
-    list.push_back(
-        {prefix.empty() ? "absolute_acceleration" : prefix + "acceleration", where, diaphragm.name, "m/s^2"});
+    list.add(prefix + "displacement", where, diaphragm.name, "m");
+    list.add(prefix.empty() ? "absolute_acceleration" : prefix + "acceleration", where, diaphragm.name, "m/s^2");
   };
   add({}, "", diaphragm.name);
   for (std::size_t i = 0; i < diaphragm.outline.size(); ++i)
@@ -80,7 +79,7 @@ void PlanChannels::add_diaphragm(const Model& model, const PlacedDiaphragm& diap
         diaphragm.name + " corner " + std::to_string(i + 1));
 }
 
-void PlanChannels::add_drifts(const Model& model, const Building& building, std::vector<Channel>&) {
+void PlanChannels::add_drifts(const Model& model, const Building& building, ChannelList&) {
   const PlacedDiaphragm* below = model.diaphragm_of(building.base);
   for (const NodeId node : building.floors) {
     const PlacedDiaphragm* floor = model.diaphragm_of(node);
@@ -98,7 +97,7 @@ void PlanChannels::add_drifts(const Model& model, const Building& building, std:
   }
 }
 
-void PlanChannels::add_elements(const Model& model, std::vector<Channel>& list) {
+void PlanChannels::add_elements(const Model& model, ChannelList& list) {
   for (std::size_t b = 0; b < model.blocks().size(); ++b) {
     const ElementBlock& block = *model.blocks()[b];
     for (std::size_t e = 0; e < block.size(); ++e) {
@@ -108,7 +107,7 @@ void PlanChannels::add_elements(const Model& model, std::vector<Channel>& list) 
       for (const auto& [quantity, unit] :
            {std::pair{info.deformation_quantity, "m"}, std::pair{info.force_quantity, "N"}})
         for (const char* component : {"_x", "_y"})
-          if (!quantity.empty()) list.push_back({quantity + component, info.name, info.listed_under(), unit});
+          if (!quantity.empty()) list.add(quantity + component, info.name, info.listed_under(), unit);
     }
   }
   frictions_ = list.size();
@@ -118,7 +117,7 @@ void PlanChannels::add_elements(const Model& model, std::vector<Channel>& list) 
       const ElementInfo& info = block.info(e);
       if (info.corner_pair() == nullptr) continue;
       sliding_.push_back({b, e, false, true});
-      list.push_back({"friction_force", info.name, info.listed_under(), "N"});
+      list.add("friction_force", info.name, info.listed_under(), "N");
     }
   }
 }

@@ -2,22 +2,13 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
 #include "model/model.hpp"
+#include "output/recorders/channel_list.hpp"
 #include "output/recorders/step_observer.hpp"
 
 namespace moat {
-
-/// One reported quantity.
-struct Channel {
-  std::string quantity;  ///< "displacement", "absolute_acceleration", "drift", "storey_shear", ...
-  std::string where;     ///< node, element or report: "base", "moat left"
-  std::string place;     ///< where its peak is listed: "moat" for "moat left"
-  std::string unit;      ///< SI
-  bool of_gap = false;   ///< Whether a gap reports it, whose sign is no side.
-};
 
 /// Resultants of simultaneous components and quantities at corners:
 ///
@@ -34,7 +25,7 @@ class PlanChannels {
  public:
   PlanChannels() = default;
   /// Appends the channels to `list`.
-  PlanChannels(const Model& model, std::vector<Channel>& list);
+  PlanChannels(const Model& model, ChannelList& list);
 
   /// Writes its values and rates among all channels, from the motion of the nodes, which is there already.
   void sample(const StepView& view, double* values, double* rates) const;
@@ -57,9 +48,9 @@ class PlanChannels {
     std::size_t block, element;
     bool has_deformation, has_force;
   };
-  void add_diaphragm(const Model& model, const PlacedDiaphragm& diaphragm, std::vector<Channel>& list);
-  void add_drifts(const Model& model, const Building& building, std::vector<Channel>& list);
-  void add_elements(const Model& model, std::vector<Channel>& list);
+  void add_diaphragm(const Model& model, const PlacedDiaphragm& diaphragm, ChannelList& list);
+  void add_drifts(const Model& model, const Building& building, ChannelList& list);
+  void add_elements(const Model& model, ChannelList& list);
 
   std::size_t first_ = 0;      // channel of the first of points_
   std::vector<Point> points_;  // two channels each: displacement, acceleration

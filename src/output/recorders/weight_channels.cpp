@@ -2,24 +2,24 @@
 
 namespace moat {
 
-WeightChannels::WeightChannels(const Model& model, std::vector<Channel>& list) : first_{list.size()} {
+WeightChannels::WeightChannels(const Model& model, ChannelList& list) : first_{list.size()} {
   for (const Building& building : model.buildings()) {
     if (!building.axial_forces || building.shares_base) continue;
     const std::vector<ElementId> isolators = isolators_of(model, std::span{&building, 1}).front();
     for (const ElementId id : isolators) {
       const ElementInfo& info = model.blocks()[id.block]->info(id.element);
-      list.push_back({"bearing_compression", info.name, info.listed_under(), "N"});
+      list.add("bearing_compression", info.name, info.listed_under(), "N");
     }
     const std::string where = building.base_name();
-    list.push_back({"vertical_acceleration", where, where, "m/s^2"});
-    list.push_back({"vertical_load", where, where, "N"});
+    list.add("vertical_acceleration", where, where, "m/s^2");
+    list.add("vertical_load", where, where, "N");
     if (!model.is_plan()) {
-      list.push_back({"overturning_moment", where, where, "N m"});
+      list.add("overturning_moment", where, where, "N m");
       continue;
     }
-    list.push_back({"overturning_moment_x", where, where, "N m"});
-    list.push_back({"overturning_moment_y", where, where, "N m"});
-    list.push_back({"torque_of_bearings", where, where, "N m"});
+    list.add("overturning_moment_x", where, where, "N m");
+    list.add("overturning_moment_y", where, where, "N m");
+    list.add("torque_of_bearings", where, where, "N m");
   }
   behind_ = list.size();
 }

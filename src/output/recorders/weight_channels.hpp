@@ -1,10 +1,8 @@
 // The axial forces of bearings, as channels.
 #pragma once
 
-#include <vector>
-
 #include "model/model.hpp"
-#include "output/recorders/plan_channels.hpp"
+#include "output/recorders/channel_list.hpp"
 #include "output/recorders/step_observer.hpp"
 
 namespace moat {
@@ -20,7 +18,7 @@ class WeightChannels {
  public:
   WeightChannels() = default;
   /// Appends the channels to a list.
-  WeightChannels(const Model& model, std::vector<Channel>& list);
+  WeightChannels(const Model& model, ChannelList& list);
 
   [[nodiscard]] bool empty() const { return first_ == behind_; }  ///< Whether there are none.
   /// Writes values and rates of its channels at the committed state into those of all channels.

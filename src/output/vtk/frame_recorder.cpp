@@ -106,7 +106,13 @@ void FrameRecorder::step(const StepView& view) {
   if (view.on_grid && view.state.time() >= next_ * (1.0 - 1e-12)) write(view);
 }
 
-void FrameRecorder::archive(StateArchive& archive) { archive(next_, files_->count, files_->list); }
+void FrameRecorder::archive(StateArchive& archive) {
+  archive(next_, files_->count);
+  // A run whose disk was full has removed its frames.
+  if (archive.reads() && files_->count > 0 && fs::is_empty(files_->folder))
+    throw FileError{files_->folder.string() + ": the frames before the checkpoint are not there any more."};
+  archive(files_->list);
+}
 
 void FrameRecorder::write(const StepView& view) {
   const double time = view.state.time();

@@ -36,10 +36,10 @@ std::vector<const Column*> bases_and_tops(const CaseResult& result, const Table&
   return picked;
 }
 
-std::vector<double> in_engineering_unit(const Column& column) {
+std::vector<double> in_engineering_unit(const Column& column, const ChartRows* rows) {
   const double factor = engineering_unit(column.unit).per_si;
-  std::vector<double> values = column.values;
-  for (double& value : values) value *= factor;
+  std::vector<double> values(rows != nullptr ? rows->size() : column.values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = factor * column.values[rows != nullptr ? (*rows)[i] : i];
   return values;
 }
 

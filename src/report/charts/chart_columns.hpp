@@ -21,8 +21,11 @@ const Column* column_of(const Table& table, std::string_view quantity, std::stri
 /// building.
 std::vector<const Column*> bases_and_tops(const CaseResult& result, const Table& table, std::string_view quantity);
 
-/// The values in their engineering unit.
-std::vector<double> in_engineering_unit(const Column& column);
+/// Numbers of rows, from 0.
+using ChartRows = std::vector<std::size_t>;
+
+/// The values in their engineering unit: all, or those of these rows.
+std::vector<double> in_engineering_unit(const Column& column, const ChartRows* rows = nullptr);
 
 /// The second scale of an axis whose values have the engineering unit of this one: g of accelerations.
 std::optional<SecondUnit> second_scale(std::string_view si_unit, bool of_x = false);

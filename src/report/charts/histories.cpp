@@ -12,19 +12,17 @@
 namespace moat {
 namespace {
 
-using Rows = std::vector<std::size_t>;
-
-Rows every_row(std::size_t rows, std::size_t stride) {
-  Rows chosen;
+ChartRows every_row(std::size_t rows, std::size_t stride) {
+  ChartRows chosen;
   for (std::size_t row = 0; row < rows; row += stride) chosen.push_back(row);
   return chosen;
 }
 
-/// The rows of a picture. Of long histories they are the first and the last one, and of many equal pieces of time those
-/// where a curve is smallest or largest, so that charts take little memory beside the histories.
-Rows rows_of_picture(const std::vector<const Column*>& columns) {
-  constexpr std::size_t pieces = most_rows_of_charts / 8;
-  const std::size_t rows = columns.front()->values.size(), length = rows / pieces + 1;
+/// The rows of a picture. A long history is cut into equal pieces of time: the rows are those where a curve is smallest
+/// or largest in a piece, and the first and the last one. Charts take little memory beside the histories, since more
+/// curves have fewer pieces.
+ChartRows rows_of_picture(const std::vector<const Column*>& columns) {
+  const std::size_t rows = columns.front()->values.size(), length = rows * 2 * columns.size() / most_rows_of_charts + 1;
   if (rows <= most_rows_of_charts) return every_row(rows, 1);
   std::set<std::size_t> chosen{0, rows - 1};
   for (const Column* column : columns)
@@ -38,26 +36,16 @@ Rows rows_of_picture(const std::vector<const Column*>& columns) {
   return {chosen.begin(), chosen.end()};
 }
 
-std::vector<double> values_at(const Rows& rows, const std::vector<double>& values, double factor = 1.0) {
-  std::vector<double> picked;
-  for (const std::size_t row : rows) picked.push_back(factor * values[row]);
-  return picked;
-}
-
-std::vector<double> in_engineering_unit_at(const Rows& rows, const Column& column) {
-  return values_at(rows, column.values, engineering_unit(column.unit).per_si);
-}
-
 Chart history_chart(const Column& time, const std::vector<const Column*>& columns, std::size_t stride) {
   const Column& first = *columns.front();
-  const Rows rows = stride > 0 ? every_row(time.values.size(), stride) : rows_of_picture(columns);
+  const ChartRows rows = stride > 0 ? every_row(time.values.size(), stride) : rows_of_picture(columns);
   Chart chart{.title = capitalised(in_words(first.quantity)),
               .x_label = "time [s]",
               .y_label = axis_label(first.quantity, first.unit),
               .x_range = std::pair{time.values.front(), time.values.back()},
               .second_unit = second_scale(first.unit)};
   for (const Column* column : columns)
-    chart.series.push_back({column->where, values_at(rows, time.values), in_engineering_unit_at(rows, *column)});
+    chart.series.push_back({column->where, in_engineering_unit(time, &rows), in_engineering_unit(*column, &rows)});
   return chart;
 }
 
@@ -124,11 +112,11 @@ std::optional<Chart> energy_chart(const CaseResult& result) {
     if (const Column* part = energy(name); part != nullptr && !is_zero(part)) parts.push_back(part);
   std::vector<const Column*> drawn = parts;
   drawn.push_back(input);
-  const Rows rows = rows_of_picture(drawn);
-  const std::vector<double> times = values_at(rows, time->values);
+  const ChartRows rows = rows_of_picture(drawn);
+  const std::vector<double> times = in_engineering_unit(*time, &rows);
   std::vector<double> below(rows.size(), 0.0);
   for (const Column* part : parts) {
-    const std::vector<double> values = in_engineering_unit_at(rows, *part);
+    const std::vector<double> values = in_engineering_unit(*part, &rows);
     Series band{.name = part->quantity.substr(0, part->quantity.find('_')),
                 .x = times,
                 .y = below,
@@ -138,7 +126,7 @@ std::optional<Chart> energy_chart(const CaseResult& result) {
     band.y.insert(band.y.end(), below.rbegin(), below.rend());
     chart.series.push_back(std::move(band));
   }
-  chart.series.push_back({.name = "input", .x = times, .y = in_engineering_unit_at(rows, *input), .colour = 6});
+  chart.series.push_back({.name = "input", .x = times, .y = in_engineering_unit(*input, &rows), .colour = 6});
   return chart;
 }
 

@@ -17,8 +17,9 @@ inline constexpr std::size_t most_charted_buildings = 3;
 /// Impacts with a chart at most.
 inline constexpr std::size_t most_impact_loops = 12;
 
-/// Histories of up to so many rows are drawn with all of them. Of longer ones charts have the rows where a curve is
-/// smallest or largest in one of 2500 equal pieces of time, so that every peak stays.
+/// Histories of up to so many rows are drawn with all of them. Of longer ones a chart has about so many at most: those
+/// where one of its curves is smallest or largest in one of many equal pieces of time, so that every peak stays. Those
+/// of the script of a report, which needs constant intervals, are thinned to so many.
 inline constexpr std::size_t most_rows_of_charts = 20'000;
 
 /// Displacement and absolute acceleration of base and top of up to three buildings, and the forces of gaps that

@@ -1,8 +1,9 @@
 #include "study/file/case_rows.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <tuple>
 
 #include "base/error.hpp"
@@ -36,63 +37,60 @@ std::string checksum_of(std::size_t number, const std::string& parameters, CaseO
   std::ranges::sort(outcome.files, {}, [](const FileRead& file) { return std::tie(file.path, file.sha256); });
   outcome.files.erase(std::unique(outcome.files.begin(), outcome.files.end()), outcome.files.end());
   return sha256_of(parameters + "\n" + std::to_string(session) + "\n" + std::to_string(number) + "\n" +
-                   to_bytes({outcome}));
-}
-
-/// The fields of a row of `cases` that are not in its outcome.
-struct Row {
-  std::string parameters, checksum;
-};
-
-bool is_as_written(std::size_t number, const StudyCases& cases, const StoredCases& stored,
-                   const std::optional<Row>& row) {
-  const CaseOutcome& outcome = stored.outcomes[number];
-  if (!row) return outcome.results.empty() && outcome.files.empty();
-  if (outcome.state == CaseState::open) return false;
-  return row->parameters == parameters_of(cases, number) &&
-         row->checksum == checksum_of(number, row->parameters, outcome, stored.sessions[number]);
+                   to_bytes(outcome));
 }
 
 StoredCases read_rows(const Database& database, const StudyCases& cases) {
-  StoredCases stored{.outcomes = std::vector<CaseOutcome>(cases.count()),
-                     .sessions = std::vector<std::int64_t>(cases.count(), 0)};
-  std::vector<std::optional<Row>> row_of(cases.count());
-  CaseOutcome of_no_case;
-  const auto outcome_of_number = [&](std::int64_t number) -> CaseOutcome& {
-    if (number >= 0 && static_cast<std::size_t>(number) < cases.count())
-      return stored.outcomes[static_cast<std::size_t>(number)];
-    stored.changed.insert(number);
-    return of_no_case;
+  StoredCases stored{.result = StudyResult{cases}, .sessions = std::vector<std::int64_t>(cases.count(), 0)};
+  const auto change = [&](std::int64_t number, const auto& make_change) {
+    if (number < 0 || static_cast<std::size_t>(number) >= cases.count()) {
+      stored.changed.insert(number);
+      return;
+    }
+    CaseOutcome outcome = stored.result.outcome(static_cast<std::size_t>(number));
+    make_change(outcome);
+    stored.result.set(static_cast<std::size_t>(number), std::move(outcome));
   };
-  Statement rows = database.prepare(
-      "SELECT number, state, reason, steps, energy_error, seconds, session, parameters, checksum FROM cases");
-  while (rows.step()) {
-    CaseOutcome& outcome = outcome_of_number(rows.integer(0));
-    for (const CaseState state : {CaseState::done, CaseState::failed, CaseState::not_converged})
-      if (name_of(state) == rows.text(1)) outcome.state = state;
-    outcome.reason = rows.text(2);
-    outcome.steps = rows.integer(3);
-    outcome.energy_error = rows.real(4);
-    outcome.seconds = rows.real(5);
-    if (&outcome == &of_no_case) continue;
-    const auto number = static_cast<std::size_t>(rows.integer(0));
-    stored.sessions[number] = rows.integer(6);
-    row_of[number] = {rows.text(7), rows.text(8)};
-  }
-  Statement files =
-      database.prepare("SELECT number, path, sha256 FROM case_files JOIN files USING (file) ORDER BY path, sha256");
-  while (files.step()) outcome_of_number(files.integer(0)).files.push_back({files.text(1), files.text(2)});
+  Statement files = database.prepare(
+      "SELECT number, path, sha256 FROM case_files JOIN files USING (file) ORDER BY number, path, sha256");
+  while (files.step())
+    change(files.integer(0), [&](CaseOutcome& outcome) { outcome.files.push_back({files.text(1), files.text(2)}); });
   std::map<std::int64_t, NamedNumber> names;
   Statement name = database.prepare("SELECT result, quantity, place, unit FROM result_names");
   while (name.step()) names[name.integer(0)] = {name.text(1), name.text(2), name.text(3)};
   Statement values = database.prepare("SELECT number, result, value FROM results ORDER BY number, position");
-  while (values.step()) {
-    NamedNumber result = names[values.integer(1)];
-    result.value = values.real(2);
-    outcome_of_number(values.integer(0)).results.push_back(std::move(result));
+  for (bool more = values.step(); more;) {
+    const std::int64_t number = values.integer(0);
+    StudyRecord of_case;
+    for (; more && values.integer(0) == number; more = values.step()) {
+      of_case.push_back(names[values.integer(1)]);
+      of_case.back().value = values.real(2);
+    }
+    change(number, [&](CaseOutcome& outcome) { std::ranges::move(of_case, std::back_inserter(outcome.results)); });
   }
+  // The rows come last, so that each is compared with all that belongs to it.
+  Statement rows = database.prepare(
+      "SELECT number, state, reason, steps, energy_error, seconds, session, parameters, checksum FROM cases");
+  while (rows.step())
+    change(rows.integer(0), [&](CaseOutcome& outcome) {
+      for (const CaseState state : {CaseState::done, CaseState::failed, CaseState::not_converged})
+        if (name_of(state) == rows.text(1)) outcome.state = state;
+      outcome.reason = rows.text(2);
+      outcome.steps = rows.integer(3);
+      outcome.energy_error = rows.real(4);
+      outcome.seconds = rows.real(5);
+      const auto number = static_cast<std::size_t>(rows.integer(0));
+      stored.sessions[number] = rows.integer(6);
+      const std::string parameters = parameters_of(cases, number);
+      if (outcome.state == CaseState::open || rows.text(7) != parameters ||
+          rows.text(8) != checksum_of(number, parameters, outcome, rows.integer(6)))
+        stored.changed.insert(rows.integer(0));
+    });
+  // A case without a row has neither results nor files.
   for (std::size_t number = 0; number < cases.count(); ++number)
-    if (!is_as_written(number, cases, stored, row_of[number])) stored.changed.insert(static_cast<std::int64_t>(number));
+    if (stored.result.state(number) == CaseState::open)
+      if (const CaseOutcome outcome = stored.result.outcome(number); !outcome.results.empty() || !outcome.files.empty())
+        stored.changed.insert(static_cast<std::int64_t>(number));
   return stored;
 }
 
@@ -136,10 +134,9 @@ void CaseRows::forget_failures() {
   } else {
     // A key that was damaged is not found by its number: the tables are written again with the cases that stay.
     database_->run("DELETE FROM results; DELETE FROM cases; DELETE FROM result_names");
-    for (std::size_t number = 0; number < stored.outcomes.size(); ++number)
-      if (stored.outcomes[number].state == CaseState::done &&
-          !stored.changed.contains(static_cast<std::int64_t>(number)))
-        put(number, stored.outcomes[number], stored.sessions[number]);
+    for (std::size_t number = 0; number < cases_->count(); ++number)
+      if (stored.result.state(number) == CaseState::done && !stored.changed.contains(static_cast<std::int64_t>(number)))
+        put(number, stored.result.outcome(number), stored.sessions[number]);
   }
   database_->run("DELETE FROM case_files WHERE number NOT IN (SELECT number FROM cases)");
   transaction.commit();

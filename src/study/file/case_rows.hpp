@@ -9,7 +9,7 @@
 
 #include "study/cases.hpp"
 #include "study/file/sqlite.hpp"
-#include "study/outcome.hpp"
+#include "study/result.hpp"
 
 namespace moat {
 
@@ -36,7 +36,7 @@ class CaseRows {
 
 /// The rows of all cases.
 struct StoredCases {
-  std::vector<CaseOutcome> outcomes;   ///< One for every case; those that the file lacks are open.
+  StudyResult result;                  ///< Cases that the file lacks are open.
   std::vector<std::int64_t> sessions;  ///< That computed each case; 0 for open ones.
   std::set<std::int64_t> changed{};    ///< Cases whose rows are not those that were written.
 };

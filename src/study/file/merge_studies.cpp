@@ -18,7 +18,7 @@ bool equal(CaseOutcome a, const CaseOutcome& b) {
   a.steps = b.steps;
   a.energy_error = b.energy_error;
   a.seconds = b.seconds;
-  return to_bytes({a}) == to_bytes({b});
+  return to_bytes(a) == to_bytes(b);
 }
 
 const StudyIdentity& identity_of(const StoredStudy& study) { return study.versions[study.current_version]; }
@@ -27,8 +27,8 @@ const StudyIdentity& identity_of(const StoredStudy& study) { return study.versio
 /// differs from file to file.
 std::vector<std::optional<std::size_t>> file_of_every_case(const std::vector<fs::path>& files) {
   const StoredStudy first = read_study(files.front());
-  std::vector<CaseOutcome> outcomes(first.result.cases().count());
-  std::vector<std::optional<std::size_t>> file_of_case(outcomes.size());
+  StudyResult merged{first.result.cases()};
+  std::vector<std::optional<std::size_t>> file_of_case(merged.cases().count());
   for (std::size_t i = 0; i < files.size(); ++i) {
     const StoredStudy part = read_study(files[i]);
     const std::string others =
@@ -36,13 +36,13 @@ std::vector<std::optional<std::size_t>> file_of_every_case(const std::vector<fs:
     if (!others.empty())
       throw InputError{"merge: " + files[i].string() + " is not of the same study as " + files.front().string() + ":" +
                        others + "\nGive parts of one study."};
-    for (std::size_t number = 0; number < outcomes.size(); ++number) {
-      const CaseOutcome& outcome = part.result.outcomes()[number];
+    for (std::size_t number = 0; number < file_of_case.size(); ++number) {
+      CaseOutcome outcome = part.result.outcome(number);
       if (outcome.state == CaseState::open) continue;
       if (!file_of_case[number]) {
-        outcomes[number] = outcome;
+        merged.set(number, std::move(outcome));
         file_of_case[number] = i;
-      } else if (!equal(outcomes[number], outcome)) {
+      } else if (!equal(merged.outcome(number), outcome)) {
         throw InputError{"merge: case " + std::to_string(number) + " of " + files[i].string() +
                          " differs from the one in " + files[*file_of_case[number]].string() +
                          ". Equal cases have equal results: find out which file is wrong."};
@@ -62,7 +62,7 @@ void write(StudyFile& file, const StoredStudy& part, const std::vector<std::size
       session.version = study_tables::version_with(file.database(), part.versions[session.version]);
       sessions[from] = study_tables::add_session(file.database(), session);
     }
-    file.rows().write(number, part.result.outcomes()[number], *sessions[from]);
+    file.rows().write(number, part.result.outcome(number), *sessions[from]);
   }
 }
 

@@ -78,9 +78,7 @@ StudyStore::StudyStore(const fs::path& file, const StudyCases& cases, const Stud
 
 StudyStore::~StudyStore() = default;
 
-std::vector<CaseOutcome> StudyStore::outcomes() const {
-  return case_rows::read(parts_->file.database(), parts_->file.cases()).outcomes;
-}
+StudyResult StudyStore::result() const { return case_rows::read(parts_->file.database(), parts_->file.cases()).result; }
 
 void StudyStore::write(std::size_t number, const CaseOutcome& outcome) {
   parts_->file.rows().write(number, outcome, parts_->session);
@@ -108,7 +106,7 @@ StoredStudy read_study(const fs::path& file) {
                     .current_version = study_tables::current_version(database),
                     .sessions = study_tables::sessions_of(database),
                     .session_of_case = {},
-                    .result = StudyResult{cases, std::move(stored.outcomes)}};
+                    .result = std::move(stored.result)};
   // Sessions count from 1 in the file.
   for (const std::int64_t session : stored.sessions) {
     study.session_of_case.push_back(session > 0 ? static_cast<std::size_t>(session - 1) : 0);

@@ -87,8 +87,8 @@ class StudyStore {
   StudyStore(const StudyStore&) = delete;
   StudyStore& operator=(const StudyStore&) = delete;
 
-  /// One for every case; those that are missing are open. Throws FileError for cases that were changed.
-  [[nodiscard]] std::vector<CaseOutcome> outcomes() const;
+  /// The results of all cases up to now; those that are missing are open. Throws FileError for cases that were changed.
+  [[nodiscard]] StudyResult result() const;
   /// Throws FileError, with all earlier cases intact, where the disk is full; InputError where a file that the case has
   /// read differs from that of an earlier case. FileError where the file was removed or replaced meanwhile;
   /// FILE.kept.db has all cases then.

@@ -21,7 +21,7 @@ Ranks* load() {
                                                 "-DMOAT_MPI=ON; or start the program without mpirun."))();
 }
 
-// Rank 0 sends the number of a case as text; this word stands before the outcomes of all cases.
+// Rank 0 sends the number of a case as text; behind this word the outcomes of all cases follow, one by one.
 const std::string end = "end";
 
 }  // namespace
@@ -37,22 +37,25 @@ Ranks* ranks_of_this_job() {
 ComputeCase computed_on(Ranks& ranks, int rank) {
   return [&ranks, rank](const StudyCase& each) {
     ranks.send(rank, std::to_string(each.number()));
-    return from_bytes(ranks.receive(rank)).front();
+    return from_bytes(ranks.receive(rank));
   };
 }
 
-void end_work(Ranks& ranks, const std::vector<CaseOutcome>& outcomes) {
-  const std::string message = end + to_bytes(outcomes);
-  for (int rank = 1; rank < ranks.count(); ++rank) ranks.send(rank, message);
+void end_work(Ranks& ranks, const StudyResult& result) {
+  const auto send_to_all = [&](const std::string& message) {
+    for (int rank = 1; rank < ranks.count(); ++rank) ranks.send(rank, message);
+  };
+  send_to_all(end);
+  for (std::size_t number = 0; number < result.cases().count(); ++number) send_to_all(to_bytes(result.outcome(number)));
 }
 
-std::vector<CaseOutcome> compute_for_first_rank(Ranks& ranks, const StudyCases& cases, const ComputeCase& compute) {
+StudyResult compute_for_first_rank(Ranks& ranks, const StudyCases& cases, const ComputeCase& compute) {
   std::string message;
-  while (!(message = ranks.receive(0)).starts_with(end)) {
-    const std::size_t number = std::stoul(message);
-    ranks.send(0, to_bytes({outcome_of(StudyCase{cases, number}, compute)}));
-  }
-  return from_bytes(std::string_view{message}.substr(end.size()));
+  while ((message = ranks.receive(0)) != end)
+    ranks.send(0, to_bytes(outcome_of(StudyCase{cases, std::stoul(message)}, compute)));
+  StudyResult result{cases};
+  for (std::size_t number = 0; number < cases.count(); ++number) result.set(number, from_bytes(ranks.receive(0)));
+  return result;
 }
 
 }  // namespace moat

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "study/engine.hpp"
+#include "study/result.hpp"
 
 namespace moat {
 
@@ -31,9 +31,9 @@ Ranks* ranks_of_this_job();
 ComputeCase computed_on(Ranks& ranks, int rank);
 
 /// On rank 0, after the last case: gives the outcomes of all cases to the other ranks.
-void end_work(Ranks& ranks, const std::vector<CaseOutcome>& outcomes);
+void end_work(Ranks& ranks, const StudyResult& result);
 
 /// On every other rank: computes the cases that rank 0 asks for, and returns the outcomes of all cases.
-std::vector<CaseOutcome> compute_for_first_rank(Ranks& ranks, const StudyCases& cases, const ComputeCase& compute);
+StudyResult compute_for_first_rank(Ranks& ranks, const StudyCases& cases, const ComputeCase& compute);
 
 }  // namespace moat

@@ -10,6 +10,7 @@
 
 #include "analysis_testing.hpp"
 #include "moat.hpp"
+#include "small_models.hpp"
 #include "small_plan_building.hpp"
 
 namespace moat {
@@ -123,7 +124,7 @@ TEST(ContactWarnings, AdviseMoreHalvingsWhereThereAreMore) {
   for (const bool most : {false, true}) {
     Model model = testing::body_before_wall(LinearElastic{.stiffness = (most ? 1e30 : 1e20) * N / m}, 1.0, 1.0, 0.01);
     const int halvings = most ? StepSettings::most_halvings : 16;
-    const CaseResult result = run_case(model, GroundMotion{"still", 0.01, std::vector<double>(3, 0.0)},
+    const CaseResult result = run_case(model, testing::still_ground(0.02 * s),
                                        {.transient = {.max_halvings = halvings}, .error_bars = ErrorBarMode::never});
     std::string all;
     for (const std::string& each : result.warnings) all += each;

@@ -232,6 +232,16 @@ TEST(EstimateErrors, DoesNotTrustAgreementByAccident) {
   EXPECT_LT(peaks[0].error, peaks[1].error);
 }
 
+// A force is the only peak of its unit.
+TEST(EstimateErrors, DoesNotTrustAgreementOfOneUnit) {
+  const auto run = [](double a, double b) {
+    return std::vector<Peak>{{"a", "here", a, "m", 1.0}, {"b", "here", b, "m", 1.0}, {"force", "here", 10.0, "N", 1.0}};
+  };
+  std::vector<Peak> peaks = run(100.0, 100.0);
+  estimate_errors(peaks, {}, {run(100.2, 100.3), {}, {}}, 0.0);
+  EXPECT_GT(peaks[2].error, 0.001 * 10.0);
+}
+
 TEST(EstimateErrors, IsAtLeastTheShareThatTheRunPromises) {
   const std::vector<Peak> peaks = estimate({{"displacement", 100.0, 100.0}, {"drift", 0.0, 0.0}}, {}, {}, 1e-4).peaks;
   EXPECT_NEAR(peaks[0].error, 0.01, 1e-5);

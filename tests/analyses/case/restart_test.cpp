@@ -4,15 +4,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <optional>
+#include <random>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "block_on_bearings.hpp"
 #include "message_of.hpp"
 #include "moat.hpp"
 #include "output/recorders/isolator_forces.hpp"
-#include "random_draws.hpp"
+#include "plane_frames.hpp"
+#include "small_plan_building.hpp"
 
 namespace moat {
 namespace {
@@ -78,46 +83,21 @@ Restarted on(const Law& law, int count) {
 
 // A block on heating pendulums whose friction follows the weight, which lifts from them.
 Restarted on_changing_weight() {
-  Restarted each{.pounds = false};
-  constexpr double mass = 1.2e6;
-  const NodeId block = add(each.model, Node{.name = "block", .mass = mass * kg});
-  for (const double at : {-4.0, 0.0, 4.0})
-    add(each.model, Isolator<HeatedFrictionPendulum>{.name = "at " + std::to_string(at),
-                                                     .upper = block,
-                                                     .law = HeatedFrictionPendulum::typical(),
-                                                     .weight = mass * 9.80665 / 3.0 * N,
-                                                     .at = at * m,
-                                                     .weight_changes = true});
-  add(each.model, Building{.name = "block",
-                           .base = block,
-                           .axial_forces = AxialForces{.base_height = 2 * m,
-                                                       .vertical_period = 0.1 * s,
-                                                       .vertical_damping = 0.05,
-                                                       .rocking = AxialForces::Rocking::continues}});
-  std::vector<double> along, up;
-  for (int i = 0; i <= 200; ++i) {
-    along.push_back(2.0 * (std::sin(0.048 * i) + 0.4 * std::sin(0.18 * i)));
-    up.push_back(8.0 * std::sin(0.9 * i));
-  }
-  each.motion = with_vertical({"push", 0.02, along}, {"up", 0.02, up});
-  return each;
+  return {.model = testing::block_on(HeatedFrictionPendulum::typical(), 2.0, 1, false,
+                                     {.vertical_period = 0.1 * s, .vertical_damping = 0.05}),
+          .motion = testing::shaking_along_and_up(2.0, 8.0),
+          .options = {.transient = {.end = 4 * s}},
+          .pounds = false};
 }
 
 // Corners slide along walls, with friction; the checks of its bearings have a recorder.
 Restarted in_plan() {
   Restarted each{.checks_bearings = true};
-  const auto tower =
-      add(each.model, PlanBuilding{.outline = rectangle(20 * m, 12 * m),
-                                   .storeys = 1,
-                                   .floor_mass = 700 * tonne,
-                                   .mass_offset = {1 * m, 0.6 * m},
-                                   .columns = grid(2, 2, {.stiffness = 100 * MN / m}),
-                                   .damping = RayleighDamping{.ratio = 0.05},
-                                   .base_mass = 800 * tonne,
-                                   .bearings = grid(2, 2,
-                                                    LeadRubberBearing{.yield_force = 250 * kN,
-                                                                      .yield_displacement = 1 * cm,
-                                                                      .post_yield_stiffness = 2 * MN / m})});
+  PlanBuilding building = testing::small_plan_building(
+      1, {.yield_force = 250 * kN, .yield_displacement = 1 * cm, .post_yield_stiffness = 2 * MN / m});
+  building.mass_offset = PlanPosition{1 * m, 0.6 * m};
+  building.damping = {.ratio = 0.05};
+  const auto tower = add(each.model, building);
   add(each.model, PlanMoat{.around = tower.base, .clearance = 12 * cm, .law = hard, .friction = 0.4});
   each.motion = PlanMotion{pulse(), pulse().scaled_by(0.6)};
   return each;
@@ -125,18 +105,10 @@ Restarted in_plan() {
 
 Restarted of_frame() {
   Restarted each;
-  const ElasticMaterial steel{.E = 206 * GPa, .poisson = 0.3};
   const MemberSection section{.area = 0.02 * m_2, .I_y = 8e-4 * m_4, .I_z = 8e-4 * m_4};
-  Frame frame{.name = "frame", .motion = LevelMotion::along_x};
-  for (int level = 0; level <= 2; ++level)
-    for (int line = 0; line <= 1; ++line) {
-      const int node = 10 * level + line;
-      frame.nodes.push_back({.name = node, .x = 6.0 * line * m, .z = 3.6 * level * m});
-      if (level > 0) frame.members.push_back({.from = node - 10, .to = node, .section = section, .material = steel});
-      if (level > 0 && line > 0)
-        frame.members.push_back({.from = node - 1, .to = node, .section = section, .material = steel});
-    }
-  for (int level = 1; level <= 2; ++level) frame.levels.push_back({.height = 3.6 * level * m, .mass = 50 * tonne});
+  Frame frame = testing::plane_frame(
+      {.storeys = {3.6 * m, 3.6 * m}, .bay = 6 * m, .bays = 1, .columns = {section}, .beam = section});
+  for (FrameLevel& level : frame.levels) level.mass = 50 * tonne;
   const auto building = add(
       each.model,
       Superstructure{.condensed = frame.condensed(),
@@ -147,6 +119,14 @@ Restarted of_frame() {
   add(each.model, Moat{.around = building.base, .clearance = 8 * cm, .law = hard});
   return each;
 }
+
+struct StepCounter final : QuantityRecorder {
+  std::vector<OfferedQuantity> quantities() const override { return {{"steps", "run", "1"}}; }
+  void step(const StepView&) override { ++steps; }
+  void sample(const StepView&, std::span<double> values) const override { values[0] = steps; }
+  void archive(StateArchive& archive) override { archive(steps); }
+  double steps = 0.0;
+};
 
 // The case with recorders of all kinds.
 struct Run {
@@ -159,6 +139,7 @@ struct Run {
       run.attach(checks.emplace(CheckRules::none, all));
     }
     run.attach(forces);
+    run.attach(counter);
   }
 
   // All numbers of its results, as bytes.
@@ -185,29 +166,26 @@ struct Run {
 
   CaseRun run;
   IsolatorForces forces;
+  StepCounter counter;
   std::optional<BearingCheckRecorder> checks;
 };
 
-// Counts the moments of a run, at which it may be saved, and finds those within a contact.
+// Chooses the moments at which a run is saved: a quarter of them within contacts, if it pounds.
 std::vector<int> moments_of(const Restarted& given) {
   Run one{given};
-  std::vector<int> in_contact, all;
+  std::vector<int> in_contact, others, chosen;
   int moment = 0;
   one.run.stop_when([&] {
-    all.push_back(moment);
-    if (!one.run.transient().finished() && std::isfinite(one.run.transient().state().shortest_contact()))
-      in_contact.push_back(moment);
-    ++moment;
+    const bool touches =
+        !one.run.transient().finished() && std::isfinite(one.run.transient().state().shortest_contact());
+    (touches ? in_contact : others).push_back(moment++);
     return false;
   });
   one.run.run();
-  EXPECT_TRUE(!in_contact.empty() || !given.pounds);
-  testing::RandomDraws random{20};
-  std::vector<int> chosen;
-  for (int i = 0; i < 20; ++i) {
-    const std::vector<int>& from = i % 4 == 0 && !in_contact.empty() ? in_contact : all;
-    chosen.push_back(from[static_cast<std::size_t>(random.integer(0, static_cast<int>(from.size()) - 1))]);
-  }
+  EXPECT_TRUE(in_contact.size() >= 5 || !given.pounds);
+  std::mt19937 random{20};
+  std::ranges::sample(in_contact, std::back_inserter(chosen), 5, random);
+  std::ranges::sample(others, std::back_inserter(chosen), 20 - std::ssize(chosen), random);
   return chosen;
 }
 
@@ -229,18 +207,21 @@ void expect_restarts(const Restarted& given) {
   });
   saving.run.run();
   EXPECT_TRUE(saving.results() == expected) << "saving changes the results";
+  EXPECT_EQ(saved.size(), 20U);
   for (const std::string& state : saved) {
     Run later{given};
     later.run.go_on_from(StateArchive{state});
     later.run.run();
-    EXPECT_TRUE(later.results() == expected)
-        << "of " << moments.size() << " moments, saved in " << state.size() << " B";
+    EXPECT_TRUE(later.results() == expected) << "saved in " << state.size() << " B";
   }
 }
 
 TEST(Restart, OfARunOnALine) { expect_restarts(on_line({})); }
 TEST(Restart, OfCompanionAndRunsWithChangedContacts) { expect_restarts(with_error_bars()); }
-TEST(Restart, OfExactSteps) { expect_restarts(on_line({.integrator = ExactBetweenEvents{}})); }
+TEST(Restart, OfExactSteps) {
+  expect_restarts(on_line({.integrator = ExactBetweenEvents{}}));
+  expect_restarts(on_line({.integrator = Automatic{}}));
+}
 TEST(Restart, OfFixedStepsAndEventsAtTheirEnds) {
   expect_restarts(on_line({.step = 2 * ms, .events = EventTreatment::at_end_of_step}));
 }
@@ -283,7 +264,7 @@ TEST(Restart, RefusesTheStateOfAnotherModelMotionOrMethod) {
   const std::string state = state_of(own);
   Restarted wider = own, stronger = own, finer = own;
   wider.model = in_moat(lead_rubber(2 * MN));
-  stronger.motion = pulse().scaled_by(1.1);
+  stronger.motion = pulse().scaled_by(-1.0);
   finer.options.transient.tolerance = 1e-5;
   for (const Restarted& each : {wider, stronger, finer, on_line({.integrator = ExactBetweenEvents{}})})
     EXPECT_EQ(refusal(each, state), "The saved state is that of another model, motion or method.");

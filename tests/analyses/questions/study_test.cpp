@@ -323,18 +323,18 @@ TEST(Study, HasEnergiesThatBalanceIfAsked) {
   EXPECT_EQ(with.values("impact_force", "moat"), without.values("impact_force", "moat"));
   EXPECT_THROW((void)without.values("energy_input", ""), InputError);
   for (std::size_t i = 0; i < gaps.count(); ++i) {
-    EXPECT_TRUE(std::isnan(without.outcomes()[i].energy_error));
-    const double error = with.outcomes()[i].energy_error;
+    EXPECT_TRUE(std::isnan(without.outcome(i).energy_error));
+    const double error = with.outcome(i).energy_error;
     EXPECT_GE(error, 0.0);
     EXPECT_LT(error, 1e-3);
-    const StudyRecord& record = with.outcomes()[i].results;
+    const StudyRecord record = with.outcome(i).results;
     double balance = -value_of(record, "energy_input", "");
     for (const char* part : {"kinetic", "strain", "viscous", "hysteretic", "impact"})
       balance += value_of(record, std::string{"energy_"} + part, "");
     // Both errors together, relative to the largest energy, which may exceed the input at the end.
     EXPECT_LT(std::abs(balance), 4e-3 * value_of(record, "energy_input", "")) << i;
-    EXPECT_GT(with.outcomes()[i].steps, 100);
-    EXPECT_EQ(with.outcomes()[i].steps, without.outcomes()[i].steps);
+    EXPECT_GT(with.outcome(i).steps, 100);
+    EXPECT_EQ(with.outcome(i).steps, without.outcome(i).steps);
   }
 }
 
@@ -358,6 +358,7 @@ TEST(Study, EndsWhereItIsAskedTo) {
 TEST(Study, ComputesAPartAlone) {
   const StudyResult part = run_study(two_axes, sum, {.part = {{1, 3}}});
   EXPECT_EQ(part.count(CaseState::done), 2u);
+  EXPECT_EQ(run_study(two_axes, sum, {.part = {{3, 6}}}).count(CaseState::done), 3u) << "up to the last case";
   EXPECT_EQ(part.values("sum", "")[2], 20.0);
   EXPECT_TRUE(std::isnan(part.values("sum", "")[3]));
   EXPECT_THROW((void)run_study(two_axes, sum, {.part = {{3, 3}}}), InputError);
@@ -386,8 +387,8 @@ TEST(Study, KnowsCasesThatDoNotConverge) {
                                          return sum(each);
                                        },
                                        {.keep_failures = true});
-  EXPECT_EQ(result.outcomes()[1].state, CaseState::not_converged);
-  EXPECT_EQ(result.outcomes()[2].state, CaseState::failed);
+  EXPECT_EQ(result.state(1), CaseState::not_converged);
+  EXPECT_EQ(result.state(2), CaseState::failed);
   EXPECT_TRUE(
       failure_message(result).starts_with("2 of 6 cases failed, 1 of them did not converge.\n  case 1, gap = "));
 }

@@ -40,6 +40,22 @@ StudyModel mass_in_a_moat(const GroundMotion& motion, Length gap, double stiffne
   return one;
 }
 
+/// 50 results without an analysis, in cases that read a file.
+StudyResult study_of_numbers(Script& script, int gaps, const std::string& record) {
+  std::vector<std::string> names;
+  for (int i = 1; i <= 20; ++i) names.push_back("a record with a long name, " + std::to_string(i));
+  return script.study(
+      {{.name = "gap", .unit = "cm", .values = linearly_spaced(1.0, 50.0, gaps)},
+       StudyAxis::of_names("component", names)},
+      [&](const StudyCase& each) {
+        static_cast<void>(read_motion(record));
+        StudyRecord results;
+        for (int i = 1; i <= 50; ++i)
+          results.push_back({"displacement", "storey " + std::to_string(i), "m", i * each.value("gap")});
+        return results;
+      });
+}
+
 Model isolated_house(const SuiteCase& each) {
   Model model;
   const auto house =
@@ -71,7 +87,12 @@ int main(int argc, char** argv) {
   const int pulses = script.integer("pulses", 0, "a case for each");
   const int times = script.integer("times", 1, "studies of one name");
   const int suite = script.integer("suite", 0, "records of a suite");
+  const int numbers = script.integer("numbers", 0, "gaps of cases without analysis, 20 cases for each");
   if (const char* folder = std::getenv("MOAT_TEST_RECORDS")) static_cast<void>(read_record_folder(folder));
+  if (numbers > 0) {
+    study_of_numbers(script, numbers, inside);
+    return script.finish();
+  }
   if (suite > 0) {
     script.suite({motions_of("", suite),
                   {.bounds = PropertyBounds{.lower = {.strength = 0.9}, .upper = {.strength = 1.3}},

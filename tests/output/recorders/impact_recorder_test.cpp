@@ -13,8 +13,7 @@ namespace moat {
 namespace {
 
 using namespace units;
-
-GroundMotion still_ground(double end) { return GroundMotion{"still ground", end, {0.0, 0.0}}; }
+using testing::still_ground;
 
 constexpr double mass = 550e3, stiffness = 2.95e9;
 
@@ -32,7 +31,7 @@ Model body_at_speed(double speed, double restitution) {
 
 std::vector<Impact> impacts(const Model& model, double end, double step = 1e-3) {
   ImpactRecorder recorder;
-  Transient analysis{model, still_ground(end), {.step = step * s}};
+  Transient analysis{model, still_ground(end * s, end * s), {.step = step * s}};
   analysis.attach(recorder);
   analysis.run();
   return recorder.impacts();
@@ -72,10 +71,10 @@ TEST(ImpactRecorder, AContactThatLastsAtTheEndHasNoReboundRatio) {
 
 TEST(ImpactRecorder, AContactThatLastsFromTheStartIsListed) {
   const Model model = body_at_speed(0.4, 0.65);
-  Transient first{model, still_ground(0.1), {.step = 1 * ms}};
+  Transient first{model, still_ground(0.1 * s, 0.1 * s), {.step = 1 * ms}};
   first.run();
   ImpactRecorder recorder;
-  Transient second{model, still_ground(1.0), first.state(), {.step = 1 * ms}};
+  Transient second{model, still_ground(1 * s, 1 * s), first.state(), {.step = 1 * ms}};
   second.attach(recorder);
   second.run();
   const std::vector<Impact>& found = recorder.impacts();
@@ -97,7 +96,7 @@ Impact impact_on_wall(const Law& law, double speed, double overlap, double end =
                                       .free = true});
   add(model, Gap<Law>{.name = "wall", .left = body, .right = ground, .clearance = 1 * cm, .law = law});
   ImpactRecorder recorder;
-  Transient analysis{model, GroundMotion{"still ground", end / 100.0, std::vector<double>(101, 0.0)}, {}};
+  Transient analysis{model, still_ground(end * s, end / 100.0 * s), {}};
   analysis.attach(recorder);
   analysis.run();
   EXPECT_EQ(recorder.impacts().size(), 1u);

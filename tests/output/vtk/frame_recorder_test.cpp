@@ -25,6 +25,7 @@
 #include "output/vtk/model_scene.hpp"
 #include "output_testing.hpp"
 #include "recorders_testing.hpp"
+#include "small_models.hpp"
 
 namespace moat {
 namespace {
@@ -182,6 +183,26 @@ TEST_F(FrameRecorderTest, WritesAFrameAtTheStartAndThenAtItsInterval) {
   EXPECT_EQ(listed_times(folder), (std::vector<double>{0.0, 0.12, 0.2, 0.32, 0.4}));
 }
 
+TEST_F(FrameRecorderTest, GoesOnBehindTheFramesBefore) {
+  StateArchive archive;
+  FrameRecorder killed{building.model, folder, 0.1};
+  killed.start(building.move(0.0, 0.0, 0.0));
+  killed.archive(archive);
+  const std::string state = archive.take();
+  const auto go_on = [&] {
+    StateArchive saved{state};
+    FrameRecorder recorder{building.model, folder, 0.1};
+    recorder.archive(saved);
+    recorder.step(building.move(0.1, 0.0, 0.0));
+  };
+  go_on();
+  EXPECT_EQ(listed_times(folder), (std::vector<double>{0.0, 0.1}));
+  fs::remove_all(folder / "frames");
+  EXPECT_NE(message_of<FileError>(go_on).find("the frames before the checkpoint are not there any more"),
+            std::string::npos);
+  EXPECT_TRUE(listed_times(folder).empty());
+}
+
 TEST_F(FrameRecorderTest, RefusesAnIntervalBeforeItWritesAnything) {
   EXPECT_EQ(message_of<InputError>([&] { FrameRecorder(building.model, folder / "new", -1.0); }),
             "FrameRecorder: interval = -1 s is not allowed; it must be > 0 s and finite. Check its sign and its unit.");
@@ -203,7 +224,7 @@ TEST_F(FrameRecorderTest, ForcesOfCornersPushThemBackAndAgainstTheirSlide) {
                                   .edge_end = PlanPosition{10.01 * m, 8 * m},
                                   .law = {.stiffness = 1e9 * N / m_3_2, .restitution = 0.65},
                                   .friction = 0.4});
-  Transient analysis{model, GroundMotion{"still", 0.005, std::vector<double>(21, 0.0)}};
+  Transient analysis{model, testing::still_ground(0.1 * units::s, 5 * units::ms)};
   FrameRecorder recorder{model, folder, 0.005};
   analysis.attach(recorder);
   analysis.run();

@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -155,17 +153,6 @@ TEST_F(ReadStoreys, RefusesBadRows) {
             ", line 3: elevation must be above the row below, or above 0 m.");
   EXPECT_EQ(refusal("name,elevation [m],height [m],mass [t]\na,3,3,50\nb,6,3.5,50\n"),
             ", line 3: height is 3.5 m, but the elevations differ by 3 m.");
-}
-
-TEST(StoreysOfAFrame, AreRead) {
-  const char* experiments = std::getenv("MOAT_EXPERIMENTS");
-  if (!experiments) GTEST_SKIP() << "set MOAT_EXPERIMENTS to a folder with frame12 to run this test";
-  const std::filesystem::path file = std::filesystem::path{experiments} / "frame12" / "storeys.csv";
-  if (!std::filesystem::exists(file)) GTEST_SKIP() << "frame12 is not in the folder of MOAT_EXPERIMENTS";
-  const StoreyTable table = read_storeys(file);
-  ASSERT_EQ(table.floors.size(), 12u);
-  EXPECT_DOUBLE_EQ(table.floors[0].height / m, 4.5);
-  EXPECT_DOUBLE_EQ(table.floors[11].mass / tonne, 50.0);
 }
 
 // 5 % of 20 m and of 10 m; the roof is smaller. Masses that are off the centre stay so.

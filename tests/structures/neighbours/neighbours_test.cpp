@@ -14,6 +14,7 @@
 #include "materials/impact/exact_hertz_damp.hpp"
 #include "materials/impact/exact_kelvin.hpp"
 #include "message_of.hpp"
+#include "small_models.hpp"
 #include "structures/plan_building.hpp"
 #include "structures/shear_building.hpp"
 #include "structures/superstructure/superstructure.hpp"
@@ -181,7 +182,7 @@ TEST(Neighbours, ColumnOfTheLowestStoreyMovesWithItsFloor) {
                         .clearance = 1 * cm,
                         .law = law()});
   const auto [result, state] =
-      run_to_end(model, GroundMotion{"still", 5e-3, std::vector<double>(41, 0.0)}, {.error_bars = ErrorBarMode::never});
+      run_to_end(model, testing::still_ground(0.2 * s, 5 * ms), {.error_bars = ErrorBarMode::never});
   // The gap counts for both buildings.
   for (const BuildingParts& building : result.buildings) {
     ASSERT_EQ(building.gaps.size(), 1U) << building.name;

@@ -14,6 +14,7 @@
 #include "materials/impact/exact_hertz_damp.hpp"
 #include "message_of.hpp"
 #include "peak_in.hpp"
+#include "small_models.hpp"
 #include "structures/plan_building.hpp"
 
 namespace moat {
@@ -26,7 +27,7 @@ using testing::law;
 using testing::message_of;
 using testing::restitution;
 using testing::run_to_end;
-using testing::still;
+using testing::still_ground;
 
 TEST(PlanNeighbours, EqualFacesCountOnce) {
   Model model;
@@ -35,7 +36,7 @@ TEST(PlanNeighbours, EqualFacesCountOnce) {
   add(model, PlanNeighbours{.first = a, .second = b, .law = law(), .friction = 0.3});
   EXPECT_EQ(contacts_of(model),
             (std::set<std::string>{"neighbours a corner 2 b edge 4", "neighbours a corner 3 b edge 4"}));
-  const auto [result, state] = run_to_end(model, still(), {.error_bars = ErrorBarMode::never});
+  const auto [result, state] = run_to_end(model, still_ground(1 * s, 5 * ms), {.error_bars = ErrorBarMode::never});
   EXPECT_EQ(result.impacts.size(), 2U);
   // Equal masses: v' = v (1 -+ e)/2.
   EXPECT_NEAR(state.velocity(a.x), 0.3 * (1.0 - restitution), 6e-4);
@@ -63,8 +64,9 @@ TEST(PlanNeighbours, BodiesAtAnAngleExchangeTheImpulseOfTheirEffectiveMass) {
   const DiaphragmId a = add_slab(model, "a", turned(rectangle(side * m, side * m), pi / 4), 0.6 * m / s, 0.1 * m / s),
                     b = add_slab(model, "b", rectangle(10 * m, 12 * m, {13.05 * m, -2 * m}));
   add(model, PlanNeighbours{.first = a, .second = b, .law = law()});
-  const auto [result, state] = run_to_end(
-      model, still(), {.transient = {.tolerance = 1e-8, .steps_per_contact = 512}, .error_bars = ErrorBarMode::never});
+  const auto [result, state] =
+      run_to_end(model, still_ground(1 * s, 5 * ms),
+                 {.transient = {.tolerance = 1e-8, .steps_per_contact = 512}, .error_bars = ErrorBarMode::never});
   ASSERT_EQ(result.impacts.size(), 1U);
   const double mass = 8e5, inertia_b = mass * (100.0 + 144.0) / 12.0, arm_b = 2.0;
   const double normal_mass = 1.0 / (2.0 / mass + arm_b * arm_b / inertia_b);
@@ -156,7 +158,7 @@ TEST(PlanNeighbours, ColumnMovesWithTheFloorsAboveAndBelow) {
         EXPECT_NEAR(info.offset, 0.05, 1e-12);
       }
     const auto [result, state] =
-        run_to_end(model, still(),
+        run_to_end(model, still_ground(1 * s, 5 * ms),
                    {.transient = {.tolerance = 1e-8, .steps_per_contact = 512}, .error_bars = ErrorBarMode::never});
     ASSERT_EQ(result.impacts.size(), 1U);
     EXPECT_NEAR(result.impacts[0].rebound_ratio, restitution, 1e-4);

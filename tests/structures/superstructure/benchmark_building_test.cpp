@@ -24,8 +24,8 @@ using testing::run_benchmark;
 class BenchmarkBuildingTest : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (testing::folder_of_experiment("smart_base_isolated").empty())
-      GTEST_SKIP() << "MOAT_EXPERIMENTS is not set: the benchmark building is left out.";
+    if (const std::string why = testing::why_experiment_is_missing("smart_base_isolated"); !why.empty())
+      GTEST_SKIP() << why;
   }
 
   // The largest resultant of a drift at the centre of mass.
@@ -183,8 +183,7 @@ TEST_F(BenchmarkBuildingTest, OnLeadRubberBearings) {
 class Frame12 : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (testing::folder_of_experiment("frame12").empty())
-      GTEST_SKIP() << "MOAT_EXPERIMENTS is not set: the frame is left out.";
+    if (const std::string why = testing::why_experiment_is_missing("frame12"); !why.empty()) GTEST_SKIP() << why;
   }
 
   [[nodiscard]] static CaseResult run(bool has_walls, std::vector<double>& periods) {

@@ -12,8 +12,10 @@ namespace moat::testing {
 /// A block of 1200 t, `height` m above bearings at -4, 0 and 4 m: `count` of them at each place, one by one or together
 /// as one Isolator. The building goes on where it rocks.
 template <class Law>
-Model block_on(const Law& law, double height, int count = 1, bool together = false) {
+Model block_on(const Law& law, double height, int count = 1, bool together = false, AxialForces forces = {}) {
   using namespace units;
+  forces.base_height = height * m;
+  forces.rocking = AxialForces::Rocking::continues;
   constexpr double mass = 1.2e6, gravity = 9.80665;  // kg, m/s^2
   Model model;
   const NodeId node = add(model, Node{.name = "block", .mass = mass * kg});
@@ -26,10 +28,7 @@ Model block_on(const Law& law, double height, int count = 1, bool together = fal
                                .weight = mass * gravity / (together ? 3.0 : 3.0 * count) * N,
                                .at = at * m,
                                .weight_changes = true});
-  add(model,
-      Building{.name = "block",
-               .base = node,
-               .axial_forces = AxialForces{.base_height = height * m, .rocking = AxialForces::Rocking::continues}});
+  add(model, Building{.name = "block", .base = node, .axial_forces = forces});
   return model;
 }
 
