@@ -74,6 +74,19 @@ TEST(RootDampedHertzContact, HasExactTangentsBelowTheStraightLine) {
   EXPECT_NEAR(below, above, 1e-8 * above);
 }
 
+// A released contact has no force, and its stored energy becomes heat while the gap opens.
+TEST(ViscousLinearContact, LosesWhatItStoresOnceItIsReleased) {
+  const ViscousLinearContact law{.stiffness = 1e9, .damping = {2e7}};
+  const ContactState released{ContactPhase::released, 0.3};
+  for (const double d : {1e-4, 0.02})
+    for (const double v : {-0.5, -1e-3}) {
+      constexpr double h = 1e-6;
+      const double stored = law.stored_energy(released, d - v * h) - law.stored_energy(released, d + v * h);
+      EXPECT_NEAR(law.dissipation_rate(released, d, v), stored / (2.0 * h), 1e-6 * stored / h) << d << ", " << v;
+    }
+  EXPECT_EQ(law.dissipation_rate(released, 0.02, 0.1), 0.0) << "heat does not come back";
+}
+
 // A margin is a length: in other units of length it is another number, and the same length. m = `unit` new units.
 template <class Contact>
 void expect_margin_is_a_length(const Contact& in_metres, const Contact& in_new_units, double unit) {
