@@ -57,6 +57,13 @@ TEST(PlanOutline, OffsetKeepsDistancesOfEdges) {
   EXPECT_NEAR(offset_outwards(shape, d * m).area(), 32.0 + 30.0 * d + 4.0 * d * d, 1e-12);
 }
 
+TEST(PlanOutline, OffsetOfASharpTriangleIsATriangleOfItsShape) {
+  const double height = 6.0 * std::sqrt(3.0), inner_radius = height / 3.0;
+  const PlanOutline small = polygon({{0, 0}, {12, 0}, {6, height}});
+  const double grown = (inner_radius + 0.5) / inner_radius;
+  EXPECT_NEAR(offset_outwards(small, 50 * cm).area(), grown * grown * small.area(), 1e-12 * small.area());
+}
+
 TEST(PlanOutline, BadPolygonsAreRefusedWithTheirMistake) {
   const Check check{"Diaphragm", "base"};
   const auto message = [&](const PlanOutline& outline) { return message_of([&] { outline.check(check, "outline"); }); };
