@@ -89,14 +89,14 @@ MotionFacts facts_of(const GroundMotion& motion) {
           .components = motion.components()};
 }
 
-}  // namespace
-
 CaseResult with_model(CaseResult result, const Model& model) {
   result.model = facts_of(model);
   if (model.degrees_of_freedom() <= most_drawn_nodes) result.scene = scene_of(model);
   result.buildings = parts_of_buildings(model);
   return result;
 }
+
+}  // namespace
 
 CaseRun::CaseRun(const Model& model, const GroundMotion& motion, CaseOptions options)
     : options_{checked(std::move(options), model)},
@@ -108,7 +108,6 @@ CaseRun::CaseRun(const Model& model, const GroundMotion& motion, CaseOptions opt
           model, history_interval(options_, motion), &energy_,
           !rows_at_steps(history_interval(options_, motion), longest_step(options_.transient, motion.time_step())))} {
   histories_->share_samples_of(*peaks_);
-  histories_->reserve(transient_.end_time());
 }
 
 void CaseRun::attach(StepObserver& observer) {
@@ -131,6 +130,7 @@ void CaseRun::run() {
                          memory_text(available) +
                          " of memory that are available. Peaks, impacts and energies are those "
                          "of all steps. An earlier end or more memory keeps all rows.";
+  histories_->reserve(transient_.end_time());
   // After the observers of the script: a quantity that one of them offers is up to date when it is sampled.
   for (StepObserver* own :
        std::initializer_list<StepObserver*>{&energy_, peaks_.get(), &impacts_, &clearances_, histories_.get()})
@@ -197,13 +197,20 @@ void CaseRun::compare_with(const PeaksAndImpacts& companion) {
   for (const GapClearance& clearance : main.clearances) errors_of_clearances_.push_back(clearance.error);
 }
 
-CaseResult CaseRun::take_result_without_model() {
-  Table histories = histories_->take_table();
-  std::vector<Peak> peaks = peaks_->peaks();
+CaseResult CaseRun::result() const {
+  return with_model(result_with(histories_->table(), peaks_->peaks()), transient_.model());
+}
+
+CaseResult take_result(std::optional<CaseRun>& run) {
+  const Model& model = run->transient_.model();
+  Table histories = run->histories_->take_table();
+  std::vector<Peak> peaks = run->peaks_->peaks();
   // Nothing is recorded any more, and the rest of the result takes memory.
-  histories_.reset();
-  peaks_.reset();
-  return result_with(std::move(histories), std::move(peaks));
+  run->histories_.reset();
+  run->peaks_.reset();
+  CaseResult result = run->result_with(std::move(histories), std::move(peaks));
+  run.reset();
+  return with_model(std::move(result), model);
 }
 
 CaseResult CaseRun::result_with(Table histories, std::vector<Peak> peaks) const {
@@ -270,9 +277,9 @@ void CaseRun::add_errors(CaseResult& result) const {
 }
 
 CaseResult run_case(const Model& model, const GroundMotion& motion, CaseOptions options) {
-  CaseRun run{model, motion, std::move(options)};
-  run.run();
-  return run.take_result();
+  std::optional<CaseRun> run;
+  run.emplace(model, motion, std::move(options)).run();
+  return take_result(run);
 }
 
 }  // namespace moat

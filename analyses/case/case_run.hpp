@@ -45,9 +45,6 @@ struct CaseOptions {
   ContactSensitivityMode contact_sensitivity = ContactSensitivityMode::never;
 };
 
-/// Adds nodes, elements, buildings and drawing of the model to the result of a run.
-CaseResult with_model(CaseResult result, const Model& model);
-
 /// A time history with peaks, clearances and their errors, impacts, histories, periods and solver statistics.
 ///
 ///     CaseRun run{model, motion, {.title = "..."}};
@@ -91,13 +88,8 @@ class CaseRun {
 
   [[nodiscard]] const Transient& transient() const { return transient_; }  ///< The analysis behind the case.
   /// All that was recorded up to now.
-  [[nodiscard]] CaseResult result() const {
-    return with_model(result_with(histories_->table(), peaks_->peaks()), transient_.model());
-  }
-  /// At the end: returns the result without a copy of the histories. The run has no results afterwards.
-  [[nodiscard]] CaseResult take_result() { return with_model(take_result_without_model(), transient_.model()); }
-  /// Leaves the model out, which with_model() adds when the memory of the run is free.
-  [[nodiscard]] CaseResult take_result_without_model();
+  [[nodiscard]] CaseResult result() const;
+  friend CaseResult take_result(std::optional<CaseRun>& run);
 
  private:
   void run_companion();
@@ -133,6 +125,10 @@ class CaseRun {
   StepObserver* changed_contacts_observer_ = nullptr;
   ContactSensitivity contact_sensitivity_{.reason = "The run did not reach its end."};
 };
+
+/// Returns the result without a copy of the histories. It ends the run before it adds the facts of the model, which
+/// need the memory of the run.
+CaseResult take_result(std::optional<CaseRun>& run);
 
 /// Runs one case and returns its result.
 CaseResult run_case(const Model& model, const GroundMotion& motion, CaseOptions options = {});

@@ -5,7 +5,6 @@
 #include <iterator>
 #include <limits>
 #include <map>
-#include <ranges>
 #include <string>
 #include <utility>
 
@@ -18,9 +17,10 @@ namespace {
 /// One result of all cases that are done and have a finite one, ascending.
 std::vector<double> finite_results(const StudyResult& study, std::string_view quantity) {
   std::vector<double> values;
-  for (const Column& column : study.table().columns | std::views::drop(study.axes().size()))
-    if (column.quantity == quantity && column.where.empty())
-      std::ranges::copy_if(column.values, std::back_inserter(values),
+  const std::vector<Column>& columns = study.table().columns;
+  for (std::size_t i = study.axes().size(); i < columns.size(); ++i)
+    if (columns[i].quantity == quantity && columns[i].where.empty())
+      std::ranges::copy_if(columns[i].values, std::back_inserter(values),
                            [](double value) { return std::isfinite(value); });
   std::ranges::sort(values);
   return values;

@@ -36,10 +36,12 @@ std::string identity_of(const Transient& transient) {
       add_numbers(&block->info(e).offset, 1);
       for (const Parameter& each : law.parameters) add_numbers(&each.value, 1);
     }
-  SparseMatrix masses = model.zero_matrix();
+  SparseMatrix masses = model.zero_matrix(), stiffness = masses, damping = masses;
   model.mass_matrix().add_to(1.0, masses);
-  for (const SparseMatrix& matrix : {model.linear_stiffness(StiffnessStage::initial), masses})
-    add_numbers(matrix.valuePtr(), matrix.nonZeros());
+  Vector forces;
+  AnalysisState{model}.linearise(stiffness, damping, forces);
+  for (const SparseMatrix* matrix : {&masses, &stiffness, &damping})
+    add_numbers(matrix->valuePtr(), matrix->nonZeros());
   const MotionState start = model.initial_motion();
   for (const Vector* each : {&start.displacement, &start.velocity}) add_numbers(each->data(), each->size());
   const double end = transient.end_time();
@@ -198,7 +200,8 @@ void Transient::count_time() {
 
 void Transient::archive(StateArchive& archive) {
   count_time();
-  archive.require_same(identity_of(*this), "The saved state is that of another model, motion or method.");
+  if (identity_.empty()) identity_ = identity_of(*this);
+  archive.require_same(identity_, "The saved state is that of another model, motion or method.");
   if (archive.reads()) observers_.start(view(true));
   archive(state_, statistics_, grid_, chatter_, collapse_, vain_cuts_);
   auto method = std::ranges::find(methods_.by_preference, method_, &std::unique_ptr<StepMethod>::get) -

@@ -96,6 +96,7 @@ class Transient {
   StepSettings settings_;
   SolverStatistics statistics_;  // without the costs of methods
   StepGrid grid_;
+  std::string identity_;  // for saved states; empty until there is one
   StepMethods methods_;
   StepMethod* method_ = nullptr;  // of the last step, or the first of all
   StepSolver step_;

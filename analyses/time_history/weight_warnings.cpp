@@ -41,16 +41,24 @@ void warn_of_lost_balance(const AnalysisState& state, const WeightOnBearings& we
     for (const WeightOnBearings::Bearing& other : weight.bearings())
       distance = std::max(distance, length(one.on_slab.at - other.on_slab.at));
   const double height = weight.options().base_height.si();
+  double largest = 0.0;  // force over axial force
+  int count = 0;
+  std::string worst;
   for (const WeightOnBearings::Bearing& bearing : weight.bearings()) {
     const auto [block, element] = bearing.element;
     const double force = std::abs(state.elements(block).results()[element].force);
     if (bearing.compression <= 0.0 || force * height <= bearing.compression * distance) continue;
-    list.push_back("\"" + state.model().blocks()[block]->info(element).name + "\" resists with " +
-                   to_text(force / bearing.compression) +
-                   " times its axial force, and there may be no balance of forces any more: as the force falls, the "
-                   "base lifts the bearing further. So does a bearing that is pressed against its stop, beyond its "
-                   "capacity. Take bearings with more capacity, or results up to this time.");
+    ++count;
+    if (force / bearing.compression <= largest) continue;
+    largest = force / bearing.compression;
+    worst = state.model().blocks()[block]->info(element).name;
   }
+  if (count == 0) return;
+  list.push_back("\"" + worst + "\" resists with " + to_text(largest) + " times its axial force" +
+                 (count > 1 ? ", " + counted(count - 1, "other") + " with less than that" : "") +
+                 ", and there may be no balance of forces any more: as the force falls, the base lifts the bearing "
+                 "further. So does a bearing that is pressed against its stop, beyond its capacity. Take bearings with "
+                 "more capacity, or results up to this time.");
 }
 
 }  // namespace

@@ -124,7 +124,7 @@ Deformations computed(const BuffaloTest& test, const SteelFrame& frame, const Pe
   add(model, building_of(frame, test.isolated ? std::optional{friction} : std::nullopt));
   CaseRun run{model, test.table, {.error_bars = ErrorBarMode::never}};
   run.run();
-  const CaseResult result = run.take_result();
+  const CaseResult result = run.result();
   const auto history = [&](const char* quantity, const std::string& where) {
     return high_passed_both_ways(result.histories.values(quantity, where));
   };

@@ -61,7 +61,7 @@ Taken history(const BenchmarkBuilding& benchmark, const Row& row, const GroundMo
   CaseRun run{model, motion, {.error_bars = ErrorBarMode::never}};
   run.run();
   const double time = seconds(Clock::thread) - start;
-  return {time, static_cast<double>(run.take_result().solver.accepted_steps)};
+  return {time, static_cast<double>(run.result().solver.accepted_steps)};
 }
 
 }  // namespace

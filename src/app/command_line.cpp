@@ -34,7 +34,9 @@ CommandLine::CommandLine(int argc, char** argv, std::string title)
     // mpirun and srun call the compiled script by its path, which ends in /program.
     const char* source = std::getenv("MOAT_SCRIPT");
     if (source != nullptr && *source != '\0' && program.stem() == "program") program = source;
-    program_ = program.stem().string();
+    // The results of "...cpp" would lie in the folder "..".
+    const std::string stem = program.stem().string();
+    if (stem != "." && stem != "..") program_ = stem;
     app_->name(program.string());
   }
   for (int i = 1; i < argc; ++i) arguments_.emplace_back(argv[i]);

@@ -80,10 +80,15 @@ class StateArchive {
     } else {
       auto rows = value.rows(), columns = value.cols();
       (*this)(rows, columns);
-      const auto size = static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns);
-      require(size, sizeof *value.data());
+      const auto fits = [](auto size, auto fixed) { return fixed < 0 ? size >= 0 : size == fixed; };
+      if (!fits(rows, Value::RowsAtCompileTime) || !fits(columns, Value::ColsAtCompileTime))
+        throw InputError{"The saved state has a matrix of another shape than this analysis."};
+      if (rows > 0 && columns > 0) {  // their product may be too large for a number
+        require(static_cast<std::size_t>(columns), sizeof *value.data());
+        require(static_cast<std::size_t>(rows), static_cast<std::size_t>(columns) * sizeof *value.data());
+      }
       if (reads_) value.resize(rows, columns);
-      raw(value.data(), size * sizeof *value.data());
+      raw(value.data(), static_cast<std::size_t>(value.size()) * sizeof *value.data());
     }
   }
   template <class Value>
@@ -103,9 +108,9 @@ class StateArchive {
   }
   template <class Value>
   void item(std::optional<Value>& value) {
-    bool exists = value.has_value();
+    unsigned char exists = value.has_value();  // any byte may be read
     item(exists);
-    if (reads_) value = exists ? std::optional{Value{}} : std::nullopt;
+    if (reads_) value = exists != 0 ? std::optional{Value{}} : std::nullopt;
     if (value) item(*value);
   }
   template <class Key, class Value>

@@ -123,18 +123,16 @@ again. Give this folder, or such a file, which may be read while the script comp
   ./moat study merge all.db part_*.db                  cases that --case and --cases computed, in one file
 
 Exit code: 0 done, 1 a file that cannot be read, or studies that differ, 2 wrong usage.)"},
-    {"check", "Check the code: format, warnings, sanitizers and more", R"(
+    {"check", "Check the code: format, mistakes, sanitizers and more", R"(
 For those who change moat. Runs checks one after the other, goes on when one fails, and exits with 1 if one did.
 
   format       clang-format finds nothing to change
   shell        shellcheck finds nothing in the shell scripts
   package      a program builds and runs with the installed package
-  warnings     each source of the library compiles with warnings as errors (build/dev); the tests and examples do so
-               by MOAT_WARNINGS_AS_ERRORS=ON ./moat test
   cppcheck     cppcheck finds nothing in the library (cmake/cppcheck.txt)
-  tidy         clang-tidy finds nothing in the library (.clang-tidy)
-  sanitizers   all tests pass with the address and undefined-behaviour sanitizers, and reach 90 % of the lines of the
-               library and 95 % of those of the parsers (build/asan)
+  tidy         clang-tidy finds nothing in the library, and compiles each source alone (.clang-tidy)
+  sanitizers   all tests pass with a library that has the address and undefined-behaviour sanitizers, and reach 90 %
+               of its lines and 95 % of those of the parsers (build/asan)
   threads      studies of four threads pass with the thread sanitizer (build/tsan)
   fuzz         10,000 damaged inputs of every reader end in a result or a refusal (build/fuzz)
   faults       runs and studies that are killed, stopped or lack disk leave whole files; 4 minutes
@@ -148,7 +146,7 @@ For those who change moat. Builds the readers with sanitizers and lets libFuzzer
 for 60 seconds, or as long as given. An input that ends in more than a refusal is kept in build/fuzz/found. With
 MOAT_FORMATS and MOAT_RECORDS, folders of records, these files are inputs too.
 
-  record  record_table  matrix  sap2000  table  spectrum  quantity  command_line  study_file  compile_errors
+  record  record_table  matrix  sap2000  table  spectrum  quantity  command_line  checkpoint  study_file  compile_errors
 
   ./moat fuzz record 600                          files of all networks, for ten minutes
 

@@ -78,8 +78,8 @@ int run_command_line(const Places& places, int count, char** words) {
   CLI::App* const check = app.get_subcommand("check");
   Command names;
   check->add_option("NAME", names, "one or more of those below; if none is given all but mutants")
-      ->check(CLI::IsMember({"format", "shell", "package", "warnings", "cppcheck", "tidy", "sanitizers", "threads",
-                             "fuzz", "faults", "mutants"}));
+      ->check(CLI::IsMember(
+          {"format", "shell", "package", "cppcheck", "tidy", "sanitizers", "threads", "fuzz", "faults", "mutants"}));
   check->callback([&] { run_checks(places, names); });
 
   CLI::App* const fuzz = app.get_subcommand("fuzz");
@@ -88,7 +88,7 @@ int run_command_line(const Places& places, int count, char** words) {
   fuzz->add_option("TARGET", target, "one of those below")
       ->required()
       ->check(CLI::IsMember({"record", "record_table", "matrix", "sap2000", "table", "spectrum", "quantity",
-                             "command_line", "study_file", "compile_errors"}));
+                             "command_line", "checkpoint", "study_file", "compile_errors"}));
   fuzz->add_option("SECONDS", seconds, "how long")->check(CLI::Range(1, 1'000'000));
   fuzz->callback([&] { run_fuzzer(places, target, seconds); });
 

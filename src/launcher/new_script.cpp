@@ -31,7 +31,9 @@ void new_script(const Places& places, const fs::path& typed) {
     throw Stop{exit_usage, name + " does not end in .cpp.\nFor example: ./moat new tower.cpp"};
   if (name.starts_with('-')) throw Stop{exit_usage, name + " looks like an option.\nFor example: ./moat new ./" + name};
   check_place(file);
-  const std::string stem = replaced(replaced(file.stem().string(), "\\", "\\\\"), "\"", "\\\"");
+  std::string stem = file.stem().string();
+  for (const auto& [plain, in_code] : {std::pair{"\\", "\\\\"}, {"\"", "\\\""}, {"\n", "\\n"}, {"\r", "\\r"}})
+    stem = replaced(stem, plain, in_code);
   write_text(file, replaced(text_of(places.root / "examples" / "starter.cpp"), "\"starter\"", "\"" + stem + "\""));
   say("Wrote " + name + ". Run it with: " + places.adapted("./moat run ") + shell_word(name));
 }

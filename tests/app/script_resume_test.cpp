@@ -199,8 +199,9 @@ TEST_F(ResumedRun, SaysWhyThereIsNoCheckpoint) {
   run.send(SIGTERM);
   const testing::ProgramResult stopped = run.wait();
   EXPECT_EQ(stopped.exit_code, 143) << stopped.errors;
-  EXPECT_NE(stopped.errors.find("moat: This run had no checkpoints. An observer of this script has no archive("),
-            std::string::npos)
+  EXPECT_NE(
+      stopped.errors.find("moat: The last checkpoint was not written: An observer of this script has no archive("),
+      std::string::npos)
       << stopped.errors;
   EXPECT_FALSE(fs::exists(folder / "out/checkpoint"));
 }

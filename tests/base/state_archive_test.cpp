@@ -73,6 +73,24 @@ TEST(StateArchive, RefusesBytesThatDoNotFit) {
             "The saved state is longer than that of this analysis.");
 }
 
+TEST(StateArchive, RefusesMatricesOfOtherShapes) {
+  using Shape = std::array<Eigen::Index, 2>;
+  const auto refusal = [](Shape shape, auto matrix) {
+    StateArchive written;
+    written(shape);
+    StateArchive read{written.take()};
+    return testing::message_of([&] { read(matrix); });
+  };
+  const std::string shape = "The saved state has a matrix of another shape than this analysis.";
+  const std::string size = "The saved state is shorter than that of this analysis.";
+  EXPECT_EQ(refusal({1, 2}, Vector{}), shape);
+  EXPECT_EQ(refusal({-1, 1}, Vector{}), shape);
+  EXPECT_EQ(refusal({3, 2}, Eigen::Matrix3d{}), shape);
+  EXPECT_EQ(refusal({1, 1}, Vector{}), size);
+  // Their product is 0 as a number of 64 bits.
+  EXPECT_EQ(refusal({Eigen::Index{1} << 32, Eigen::Index{1} << 32}, Eigen::MatrixXd{}), size);
+}
+
 TEST(StateArchive, RefusesATextThatDiffers) {
   StateArchive written;
   written.require_same("tower", "Not read.");

@@ -51,6 +51,25 @@ TEST(ViscousDamper, ResistsTheDifferenceOfVelocities) {
   expect_rollback(nodes, 0.5, -0.5, 0.1, 0.4);
 }
 
+// While the rate grows linearly the power is a parabola, whose integral Simpson's rule gives: c h/3 (v0^2 + v0 v1 +
+// v1^2).
+TEST(Viscous, DissipatesTheIntegralOfItsPower) {
+  constexpr double c = 50e3, h = 0.1, v1 = 0.3, v2 = -0.1;  // N s/m, s, m/s
+  TwoNodes nodes;
+  add(nodes.model,
+      Spring<Viscous>{.name = "dashpot", .lower = ground, .upper = nodes.a, .law = {.damping = c * N * s / m}});
+  nodes.start();
+  nodes.state->start_energy_accounts();
+  const double d1 = 0.5 * h * v1, d2 = d1 + 0.5 * h * (v1 + v2);
+  move_to(*nodes.state, Vector{{d1}}, Vector{{v1}}, h);
+  nodes.state->commit(WorkRule::mean_force);
+  EXPECT_NEAR(nodes.state->elements(0).energy(0).dissipated, c * h / 3.0 * v1 * v1, 1e-12 * c);
+  move_to(*nodes.state, Vector{{d2}}, Vector{{v2}}, h);
+  nodes.state->commit(WorkRule::mean_force);
+  EXPECT_NEAR(nodes.state->elements(0).energy(0).dissipated, c * h / 3.0 * (2.0 * v1 * v1 + v1 * v2 + v2 * v2),
+              1e-12 * c);
+}
+
 TEST(LawWithoutRegimes, YieldsUnloadsAndKeepsItsSlipOnlyOnceCommitted) {
   TwoNodes nodes;
   add(nodes.model, yielding_spring(nodes.a, nodes.b));

@@ -7,6 +7,7 @@
 
 #include "fuzzing.hpp"
 #include "network_files.hpp"
+#include "saved_state.hpp"
 
 namespace {
 
@@ -25,6 +26,13 @@ void put(const std::string& target, std::initializer_list<std::string> inputs) {
   int number = 0;
   for (const std::string& input : inputs)
     std::ofstream{into / target / std::to_string(++number), std::ios::binary} << input;
+}
+
+std::string saved(moat::fuzz::SavedState state) {
+  moat::StateArchive archive;
+  moat::StudyIdentity identity = moat::fuzz::identity_of_saved;
+  archive(identity, state);
+  return archive.take();
 }
 
 std::string cosmos() {
@@ -120,6 +128,11 @@ int main(int count, char** words) {
                    "9.81 m/s^2", "1 t", "1e400 m", "1 CM"});
   put("command_line", {"--gap\n12 cm\n--json", "--gap=0.1 m\n--out\nfolder\n--force", "--help", "--gpa\n1 cm",
                        "-h\n--\nx", "--gap\n--out", "--out=\"a b\"\nword", "-f\n-abc\n@file"});
+  put("checkpoint", {saved({}), saved({.displacements = Eigen::VectorXd::Constant(3, 0.1),
+                                       .loops = Eigen::MatrixXd::Identity(2, 3),
+                                       .moments = {1.0, {}},
+                                       .histories = {{0.0, 0.1}, {}},
+                                       .places = {{"gap", {1, 2}}}})});
   put("study_file", {std::string{"\0", 1} + "0",
                      "\1"
                      "4",

@@ -81,6 +81,12 @@ TEST(Diaphragm, BadInertiaIsRefused) {
       "Diaphragm \"base\": rotary_inertia = 200 kg m^2 is not allowed; it must be at most mass times the squared "
       "distance of the farthest corner from the centre of mass, 136 kg m^2. Take it about the centre of mass: "
       "mass * (Lx^2 + Ly^2)/12 for a uniform rectangle.");
+  // 2 kg at the corners of the size, a distance of sqrt(100 + 36) m away, would be 272 kg m^2.
+  const auto of_size = [&](double inertia) {
+    return message({.name = "slab", .mass = 2 * kg, .rotary_inertia = inertia * kg * m * m, .size = {20 * m, 12 * m}});
+  };
+  EXPECT_NE(of_size(272.1).find("farthest corner from the centre of mass, 272 kg m^2"), std::string::npos);
+  EXPECT_EQ(of_size(271.9), "nothing was thrown");
   EXPECT_NE(message({.name = "base", .mass = 0 * kg, .size = {1 * m, 1 * m}}).find("mass = 0 kg is not allowed"),
             std::string::npos);
 }

@@ -154,4 +154,26 @@ inline const std::string unam =
     "   CANAL-1   CANAL-2   CANAL-3\r\n---------+---------+---------+\r\n"
     "     2.500     0.000     1.000\r\n     0.000     4.000    -1.000\r\n    -2.500    -4.000     0.000\r\n";
 
+inline const std::string dyna =
+    "EVENT_NAME: synthetic\nEVENT_ID: XY-2018\nNETWORK: XY\nSTATION_CODE: XYZ1\nLOCATION: 00\nSTREAM: HNE\n"
+    "DATA_TYPE: ACCELERATION\nUNITS: cm/s^2\nSAMPLING_INTERVAL_S: 0.005\nNDATA: 3\n0.5\n-98.0665\n12.5\n";
+
+inline std::string cosmos() {
+  std::vector<double> integers(100, -999.0), reals(100, -999.0);
+  integers[1] = 1;
+  integers[2] = 4;
+  reals[61] = 5.0;
+  reals[62] = 0.055;
+  return "Corrected acceleration (Format v01.20 with 13 text lines)\n" + lines(12) +
+         " 100 Integer-header values follow on  10 lines, Format= (10I8)\n" + table(integers, "%8.0f", 10) +
+         " 100 Real-header values follow on  17 lines, Format= (6F13.6)\n" + table(reals, "%13.6f", 6) +
+         "   1 Comment line(s) follow, each starting with a \"|\":\n|<SCNL>XYZ.BNZ.XY.--\n"
+         "      11 acceleration pts, approx    0 secs, units=cm/sec2(04),Format=(8F10.5)\n" +
+         table(wave, "%10.5f", 8) + "End-of-data for Chan  1 acceleration\n";
+}
+
+inline const std::string peer =
+    "PEER NGA STRONG MOTION DATABASE RECORD\nKobe Japan, 1/16/1995, KJMA, 000\n"
+    "ACCELERATION TIME SERIES IN UNITS OF G\nNPTS= 4, DT= .1 SEC\n 0.0 0.1 -0.2 0.0\n";
+
 }  // namespace moat::networks

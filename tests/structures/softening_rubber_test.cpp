@@ -201,6 +201,18 @@ TEST(SofteningRubber, ThatExceedsItsCriticalLoadIsAnEventAndAWarning) {
   EXPECT_TRUE(std::ranges::none_of(light.peaks, [](const Peak& each) { return each.quantity == "bearing_unstable"; }));
 }
 
+// Without horizontal motion N = W/4 (1 + a/g) in every bearing, and a grows by 2 m/s^2 per second.
+TEST(SofteningRubber, IsUnstableFromTheInstantAtWhichItsLoadPassesTheCriticalOne) {
+  const Block block{.weight = 80e6};
+  const Model model = block.model();
+  Transient analysis{
+      model, with_vertical({"rest", 0.5, {0.0, 0.0, 0.0, 0.0}}, {"up", 0.5, {0.0, 1.0, 2.0, 3.0}}), {.step = 100 * ms}};
+  analysis.run();
+  const double expected = 0.5 * gravity * (critical_at_rest / (0.25 * block.weight) - 1.0);
+  for (const WeightOnBearings::Bearing& bearing : analysis.state().weights()[0].bearings())
+    EXPECT_NEAR(bearing.first_unstable, expected, 1e-7);  // s, by the digits of critical_at_rest
+}
+
 // Without axial forces each bearing has its share of the weight; D grows all the same.
 TEST(SofteningRubber, OfABuildingWithoutAxialForcesCarriesAConstantWeight) {
   const ShearBuilding design{.storeys = 1,

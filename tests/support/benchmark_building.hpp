@@ -151,7 +151,7 @@ inline BenchmarkRun run_benchmark(const Superstructure& building, bool has_walls
   if (has_walls) BenchmarkBuilding::add_walls(model, parts.base);
   CaseRun run{model, newhall(true), {.history_interval = 1 * units::ms}};
   run.run();
-  return {run.take_result(), parts};
+  return {run.result(), parts};
 }
 
 /// A peak of an independent program (Runge-Kutta of fourth order, converged), in SI units.

@@ -13,7 +13,7 @@ struct EndedCase {
 inline EndedCase run_to_end(const Model& model, const GroundMotion& motion, const CaseOptions& options = {}) {
   CaseRun run{model, motion, options};
   run.run();
-  return {run.take_result(), run.transient().state()};
+  return {run.result(), run.transient().state()};
 }
 
 }  // namespace moat::testing

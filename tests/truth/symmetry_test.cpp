@@ -15,23 +15,31 @@ namespace {
 
 std::string as_it_is(std::string place) { return place; }
 
-void expect_same(const Outcome& one, const Outcome& other, const PeakRule& rule = same_magnitude,
-                 const std::function<std::string(std::string)>& moved = as_it_is,
-                 double bound = equal_but_for_rounding) {
-  const Difference difference = difference_of_peaks(one, other, rule, moved);
+// Two views of one model differ by roundings where the runs take the same steps. Otherwise each has its own error of
+// integration, for which it has error bars.
+void expect_same(const Problem& one_view, const Problem& other_view, const PeakRule& rule = same_magnitude,
+                 const std::function<std::string(std::string)>& moved = as_it_is) {
+  Outcome one = outcome_of(one_view), other = outcome_of(other_view);
+  Difference difference = difference_of_peaks(one, other, rule, moved);
   RC_LOG() << one.solver.accepted_steps << " and " << other.solver.accepted_steps << " steps, " << one.solver.events
            << " and " << other.solver.events << " events, difference " << difference << "\n";
-  RC_ASSERT(difference <= bound);
+  if (!same_steps(one, other)) {
+    RC_ASSERT(difference <= accurate);
+    add_error_bars(one, one_view);
+    add_error_bars(other, other_view);
+    difference = difference_of_peaks(one, other, rule, moved);
+    RC_LOG() << "beyond the error bars " << difference << "\n";
+  }
+  RC_ASSERT(difference <= equal_but_for_rounding);
 }
 
-// Other units scale a peak by its own.
+// Other units scale a peak by its own factor.
 PeakRule in_units_of(double mass, double time) {
   return [=](const Peak& peak) -> std::optional<double> {
-    const double force = mass / (time * time), value = peak.magnitude();
-    if (peak.unit == "N" || peak.unit == "N m" || peak.unit == "J") return force * value;
-    if (peak.unit == "m/s") return value / time;
-    if (peak.unit == "m/s^2") return value / (time * time);
-    if (peak.unit == "m" || peak.unit == "rad" || peak.unit == "1" || peak.unit == "%") return value;
+    if (peak.unit == "N" || peak.unit == "N m" || peak.unit == "J") return mass / (time * time);
+    if (peak.unit == "m/s" || peak.unit == "rad/s") return 1.0 / time;
+    if (peak.unit == "m/s^2" || peak.unit == "rad/s^2") return 1.0 / (time * time);
+    if (peak.unit == "m" || peak.unit == "rad" || peak.unit == "1" || peak.unit == "%") return 1.0;
     return std::nullopt;
   };
 }
@@ -52,7 +60,7 @@ std::string in_the_mirror(std::string place) {
 TEST(Symmetry, PlainProblemsMirror) {
   for_random_cases(10, [] {
     const PlainModel plain = (*plain_problems()).model;
-    expect_same(outcome_of(problem_of(plain)), outcome_of(problem_of(mirrored(plain))));
+    expect_same(problem_of(plain), problem_of(mirrored(plain)));
   });
 }
 
@@ -60,8 +68,8 @@ TEST(Symmetry, PlainProblemsMirror) {
 rc::Gen<double> powers_of_two() { return rc::gen::noShrink(rc::gen::element(0.125, 0.25, 0.5, 2.0, 4.0, 8.0)); }
 
 // Contacts count slower touches as so slow ones: that speed has no other unit.
-bool touches_slowly(const Outcome& outcome) {
-  return std::ranges::any_of(outcome.impacts,
+bool touches_slowly(const Problem& problem) {
+  return std::ranges::any_of(outcome_of(problem).impacts,
                              [](const Impact& impact) { return impact.approach_speed <= least_approach_speed; });
 }
 
@@ -69,18 +77,16 @@ TEST(Symmetry, PlainProblemsScaleWithTheirUnits) {
   for_random_cases(10, [] {
     const PlainModel plain = (*plain_problems()).model;
     const double mass = *powers_of_two().as("mass"), time = *powers_of_two().as("time");
-    const Outcome one = outcome_of(problem_of(plain)),
-                  other = outcome_of(problem_of(in_other_units(plain, mass, time)));
+    const Problem one = problem_of(plain), other = problem_of(in_other_units(plain, mass, time));
     RC_PRE(!touches_slowly(one) && !touches_slowly(other));
-    // Another unit of time takes other steps: peaks differ by their error.
-    expect_same(one, other, in_units_of(mass, time), as_it_is, accurate);
+    expect_same(one, other, in_units_of(mass, time));
   });
 }
 
 TEST(Symmetry, PlainProblemsHaveNoOrder) {
   for_random_cases(10, [] {
     const DrawnPlain plain = *plain_problems();
-    expect_same(outcome_of(problem_of(plain.model)), outcome_of(problem_of(in_another_order(plain.model, plain.seed))));
+    expect_same(problem_of(plain.model), problem_of(in_another_order(plain.model, plain.seed)));
   });
 }
 
@@ -93,7 +99,7 @@ TEST_P(SymmetryOf, BuildingsMirrorOrTurn) {
     const Draw draw = *draws();
     View view{.mirrored = !in_plan};
     if (in_plan) view.turn = *any_number(0.1, 6.2).as("turn") * units::rad;
-    expect_same(outcome_of(GetParam().building(draw, {})), outcome_of(GetParam().building(draw, view)),
+    expect_same(GetParam().building(draw, {}), GetParam().building(draw, view),
                 in_plan ? without_components : same_magnitude, in_plan ? as_it_is : in_the_mirror);
   });
 }
@@ -104,7 +110,7 @@ TEST_P(SymmetryOf, BuildingsScaleWithTheirUnits) {
   for_random_cases(10, [=] {
     const Draw draw = *draws();
     const double mass = *powers_of_two().as("mass");
-    expect_same(outcome_of(building(draw, {})), outcome_of(building(draw, {.mass = mass})), in_units_of(mass, 1.0));
+    expect_same(building(draw, {}), building(draw, {.mass = mass}), in_units_of(mass, 1.0));
   });
 }
 
@@ -112,13 +118,11 @@ TEST_P(SymmetryOf, BuildingsScaleWithTheirUnits) {
 TEST_P(SymmetryOf, BuildingsHaveNoOrder) {
   for_random_cases(10, [] {
     const Draw draw = *draws();
-    expect_same(outcome_of(GetParam().building(draw, {})), outcome_of(GetParam().building(draw, {.reversed = true})),
-                [](const Peak& peak) {
-                  return peak.where.find("bearing ") == std::string::npos &&
-                                 peak.where.find(" column ") == std::string::npos
-                             ? same_magnitude(peak)
-                             : std::nullopt;
-                });
+    expect_same(GetParam().building(draw, {}), GetParam().building(draw, {.reversed = true}), [](const Peak& peak) {
+      return peak.where.find("bearing ") == std::string::npos && peak.where.find(" column ") == std::string::npos
+                 ? same_magnitude(peak)
+                 : std::nullopt;
+    });
   });
 }
 

@@ -9,6 +9,7 @@
 #include "app/script/stop_signals.hpp"
 #include "base/text/terminal.hpp"
 #include "output/files/csv_writer.hpp"
+#include "output/files/folder_exchange.hpp"
 #include "output/files/results_folder.hpp"
 
 namespace moat {
@@ -18,11 +19,11 @@ constexpr double seconds_between_rows = 5.0, longest_interval = 1e9, pause_per_c
 
 }  // namespace
 
-KeptRun::KeptRun(CaseRun& run, std::filesystem::path folder, double interval, std::function<StudyIdentity()> identity)
+KeptRun::KeptRun(CaseRun& run, std::filesystem::path folder, double interval, StudyIdentity identity)
     : run_{&run},
       folder_{std::move(folder)},
       interval_{std::min(interval, longest_interval)},
-      identity_of_run_{std::move(identity)},
+      identity_{std::move(identity)},
       checkpoints_{interval_},
       rows_{Seconds{interval > 0.0 ? std::min(interval, seconds_between_rows) : seconds_between_rows}} {}
 
@@ -46,20 +47,22 @@ bool KeptRun::stops() {
 }
 
 void KeptRun::end() const {
+  const std::filesystem::path checkpoint = folder_ / results_file::checkpoint;
+  if (stopped_ || !std::filesystem::exists(checkpoint)) return;
+  wait_for_disk(folder_);
   std::error_code error;
-  if (!stopped_) std::filesystem::remove(folder_ / results_file::checkpoint, error);
+  std::filesystem::remove(checkpoint, error);
 }
 
 std::string KeptRun::message(const std::vector<std::string>& arguments, const std::filesystem::path& folder) const {
-  if (stopped_ && std::filesystem::exists(folder / results_file::checkpoint))
+  if (std::filesystem::exists(folder / results_file::checkpoint))
     return "moat: to go on: " + command_to_resume(arguments, folder) + "\n";
-  return failure_.empty() ? "" : "moat: This run had no checkpoints. " + failure_ + "\n";
+  return failure_.empty() ? "" : "moat: The last checkpoint was not written: " + failure_ + "\n";
 }
 
 void KeptRun::write_checkpoint() {
   try {
-    if (!identity_) identity_ = identity_of_run_();
-    moat::write_checkpoint(folder_ / results_file::checkpoint, *identity_,
+    moat::write_checkpoint(folder_ / results_file::checkpoint, identity_,
                            [&](StateArchive& archive) { run_->archive(archive); });
     failure_.clear();
   } catch (const std::exception& error) {

@@ -4,8 +4,6 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
-#include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,16 +17,16 @@ namespace moat {
 /// time.
 class KeptRun {
  public:
-  /// interval: of checkpoints, s; 0 for none. identity: asked once. stops() alone needs the run.
-  KeptRun(CaseRun& run, std::filesystem::path folder, double interval, std::function<StudyIdentity()> identity);
+  /// interval: of checkpoints, s; 0 for none. stops() alone needs the run.
+  KeptRun(CaseRun& run, std::filesystem::path folder, double interval, StudyIdentity identity);
 
   /// Before every step: whether a signal asked the run to stop. It has a last checkpoint then.
   bool stops();
-  /// The results are written, and nothing is left to go on with: the checkpoint is removed, unless a signal stopped
-  /// the run.
+  /// The results are written, and nothing is left to go on with: when they are on the disk, the checkpoint is removed,
+  /// unless a signal stopped the run. Throws FileError where they do not get there.
   void end() const;
-  /// Returns the command that goes on, or why there are no checkpoints although they are wanted, as a line for the
-  /// user; empty where the run has reached its end. folder: of the results.
+  /// Returns the command that goes on from the checkpoint that is still there, or why there was none although they are
+  /// wanted, as a line for the user. folder: of the results.
   [[nodiscard]] std::string message(const std::vector<std::string>& arguments,
                                     const std::filesystem::path& folder) const;
 
@@ -50,8 +48,7 @@ class KeptRun {
   CaseRun* run_;
   std::filesystem::path folder_;
   Seconds interval_;
-  std::function<StudyIdentity()> identity_of_run_;
-  std::optional<StudyIdentity> identity_;
+  StudyIdentity identity_;
   Regular checkpoints_, rows_;
   std::size_t rows_written_ = 0;
   std::uintmax_t whole_bytes_ = 0;  // of the file behind the last rows

@@ -140,9 +140,10 @@ int Script::run(const Model& model, const GroundMotion& motion, const TransientO
                           .error_bars = options.check ? ErrorBarMode::always : ErrorBarMode::automatic,
                           .contact_sensitivity = options.contact_sensitivity()});
   for (StepObserver* observer : parts_->observers) run->attach(*observer);
-  const auto identity = [&] { return identity_of_script(parts_->line, parts_->origin, RunOptions::without_influence); };
+  // Before the run: files may change while it computes.
+  const StudyIdentity identity = identity_of_script(parts_->line, parts_->origin, RunOptions::without_influence);
   if (options.resume)
-    run->go_on_from(read_checkpoint(folder_with_checkpoint(options.folder) / results_file::checkpoint, identity()));
+    run->go_on_from(read_checkpoint(folder_with_checkpoint(options.folder) / results_file::checkpoint, identity));
   ResultsFolder folder{options.folder,
                        options.resume  ? WhenFolderExists::go_on
                        : options.force ? WhenFolderExists::overwrite
@@ -152,11 +153,7 @@ int Script::run(const Model& model, const GroundMotion& motion, const TransientO
   std::optional<FramesOfScript> frames;
   if (options.frame_interval.si() != 0.0)
     run->attach(frames.emplace(model, folder.path(), options.frame_interval.si()));
-  Outcome outcome = compute(*run, kept, options);
-  // The facts of the model and the files need the memory of the run, which the C library would keep.
-  run.reset();
-  malloc_trim(0);
-  outcome.result = with_model(std::move(outcome.result), model);
+  Outcome outcome = compute(run, kept, options);
   for (const auto& list : {law_assumptions(outcome.result.model), record_folder_notes()})
     outcome.result.assumptions.insert(outcome.result.assumptions.end(), list.begin(), list.end());
   // Small results are written before a bar could be seen.
@@ -174,7 +171,6 @@ int Script::run(const Model& model, const GroundMotion& motion, const TransientO
                   takes_time && !options.quiet ? WritingProgress{ProgressBar{"writing", "parts"}} : WritingProgress{});
     if (!parts_->sheets.empty()) write_design_sheets(parts_->sheets, folder.path() / results_file::design_sheet);
     if (!record_folder_notes().empty()) write_record_table(folder.path() / results_file::records);
-    if (outcome.exit_code == 0 || outcome.exit_code == exit_no_convergence) kept.end();
   } catch (const std::exception& error) {
     const std::string reason = reason_of(error);
     outcome.fail(reason, exit_error, "Files of these results are missing: " + reason);
@@ -182,6 +178,7 @@ int Script::run(const Model& model, const GroundMotion& motion, const TransientO
   }
   const std::filesystem::path wanted = folder.final_path();
   try {
+    if (outcome.exit_code == 0 || outcome.exit_code == exit_no_convergence) kept.end();
     if (!outcome.failure.empty()) folder.finish_incomplete();
     folder.finish();
   } catch (const FileError& error) {
@@ -198,7 +195,8 @@ int Script::run(const Model& model, const GroundMotion& motion, const TransientO
   return exit_code;
 }
 
-Script::Outcome Script::compute(CaseRun& run, KeptRun& kept, const RunOptions& options) {
+Script::Outcome Script::compute(std::optional<CaseRun>& computed, KeptRun& kept, const RunOptions& options) {
+  CaseRun& run = *computed;
   std::optional<ProgressObserver> progress, progress_of_check, progress_of_contacts;
   if (!options.quiet) {
     for (const std::string& note : record_folder_notes()) print_text(std::cout, note + "\n");
@@ -226,13 +224,15 @@ Script::Outcome Script::compute(CaseRun& run, KeptRun& kept, const RunOptions& o
     outcome.failure = reason_of(error);
     outcome.exit_code = exit_error;
   }
-  outcome.result = run.take_result_without_model();
+  const std::string reached =
+      to_text(run.transient().state().time()) + " s of " + to_text(run.transient().end_time()) + " s: ";
+  outcome.result = take_result(computed);
+  malloc_trim(0);  // writing the files needs the memory of the run, which the C library would keep
   outcome.result.provenance = parts_->origin;
   // Readers of the files must not take them for those of a whole run.
   if (!outcome.failure.empty())
     outcome.result.warnings.insert(outcome.result.warnings.begin(),
-                                   "The analysis stopped at " + to_text(run.transient().state().time()) + " s of " +
-                                       to_text(run.transient().end_time()) + " s: " + outcome.failure);
+                                   "The analysis stopped at " + reached + outcome.failure);
   return outcome;
 }
 

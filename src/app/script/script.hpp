@@ -170,7 +170,7 @@ class Script {
   struct Outcome;
   // The exit code, if there is nothing to compute.
   std::optional<int> read_options(const GroundMotion& motion, RunOptions& options);
-  Outcome compute(CaseRun& run, KeptRun& kept, const RunOptions& options);
+  Outcome compute(std::optional<CaseRun>& computed, KeptRun& kept, const RunOptions& options);
   static int print(const Outcome& outcome, const RunOptions& options, const std::filesystem::path& folder);
   ScriptStudy& study_parts();
   ScriptStudy& studies_done();

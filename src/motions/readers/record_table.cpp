@@ -7,6 +7,7 @@
 #include "base/check.hpp"
 #include "base/text/number_format.hpp"
 #include "base/text/rows.hpp"
+#include "base/text/utf8_text.hpp"
 #include "motions/readers/channel_parts.hpp"
 #include "motions/readers/record_folder.hpp"
 
@@ -26,9 +27,18 @@ std::vector<std::string> all_notes;
 /// Rows of the table by file and channel.
 std::map<std::pair<std::string, std::size_t>, std::string> all_rows;
 
-/// In quotes where the table would take it for something else.
-std::string field_of(std::string text) {
-  std::ranges::replace(text, '"', '\'');
+/// Whether a spreadsheet would take it for a formula, or whether it begins as one that is marked as text.
+bool needs_mark(std::string_view text) { return text.find_first_of("=+-@'") == 0; }
+
+/// In quotes where the table would take it for something else, and behind an apostrophe where a spreadsheet would. A
+/// newline in the name of a file would end the row.
+std::string field_of(const std::string& given) {
+  std::string text = as_utf8(given);
+  for (char& c : text) {
+    if (c == '"') c = '\'';
+    if (static_cast<unsigned char>(c) < ' ') c = '?';
+  }
+  if (needs_mark(text)) text.insert(0, "'");
   const bool is_plain = text.find(',') == std::string::npos && !text.starts_with('#') && !text.starts_with('%');
   return is_plain ? text : '"' + text + '"';
 }
@@ -137,7 +147,8 @@ void SortedFiles::read_table(const fs::path& table, bool is_needed, const std::s
     if (row.fields.size() != columns.size()) refuse_row(row, "is not of this form.");
     const auto field = [&](std::string_view column) -> std::string {
       const std::size_t at = place_of(column);
-      return at < columns.size() ? row.fields[at] : "";
+      const std::string text = at < columns.size() ? row.fields[at] : "";
+      return text.starts_with('\'') && needs_mark(text.substr(1)) ? text.substr(1) : text;
     };
     const auto number = [&](std::string_view column) {
       return field(column).empty() ? std::nullopt : std::optional{lines.number(row, place_of(column))};

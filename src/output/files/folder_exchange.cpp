@@ -12,7 +12,9 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
-#include <ranges>
+#include <set>
+#include <sstream>
+#include <string>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -137,11 +139,11 @@ std::optional<std::set<fs::path>> files_of_moat(const fs::path& folder) {
     return std::optional{std::move(files)};
   };
   if (!has_list(folder)) return is_unfinished(folder) ? with_mark(files_in(folder)) : std::nullopt;
-  const std::string list = text_in(folder / results_file::list);
+  std::istringstream list{text_in(folder / results_file::list)};
+  std::set<std::string> listed;
+  for (std::string name; std::getline(list, name);) listed.insert(name);
   std::set<fs::path> files = files_in(folder);
-  std::erase_if(files, [&](const fs::path& name) {
-    return list.find("\n" + name.string() + "\n") == list.npos && !is_link(folder / name);
-  });
+  std::erase_if(files, [&](const fs::path& name) { return !listed.contains(name) && !is_link(folder / name); });
   return with_mark(files);
 }
 
@@ -163,7 +165,7 @@ bool link_foreign_files(const fs::path& from, const fs::path& to) {
     if (old.contains(name) || is_folder_of_results(name)) continue;
     if (give(name)) made.push_back(name);
     if (!error) continue;
-    for (const fs::path& each : std::views::reverse(made)) fs::remove(to / each, error);
+    for (auto each = made.rbegin(); each != made.rend(); ++each) fs::remove(to / *each, error);
     return false;
   }
   return true;
@@ -171,10 +173,11 @@ bool link_foreign_files(const fs::path& from, const fs::path& to) {
 
 void remove_results(const fs::path& folder, const fs::path& kept) {
   const std::set<fs::path> old = files_of_moat(folder).value_or(std::set<fs::path>{});
-  const std::vector<fs::path> entries = entries_of(folder);
+  std::vector<fs::path> entries = entries_of(folder);
+  std::ranges::reverse(entries);  // files before their folders
   const std::array<fs::path, 2> marks{results_file::list, results_file::unfinished};
   std::error_code others_stay;
-  for (const fs::path& name : std::views::reverse(entries))
+  for (const fs::path& name : entries)
     if (std::ranges::find(marks, name) == marks.end() &&
         (old.contains(name) || is_folder(folder / name) || are_one(folder / name, kept / name)))
       fs::remove(folder / name, others_stay);

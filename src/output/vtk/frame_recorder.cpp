@@ -71,6 +71,12 @@ class FrameList {
   std::string entries_;  // so far
 };
 
+std::string name_of_frame(int number) {
+  std::array<char, 32> name;
+  std::snprintf(name.data(), name.size(), "frame_%06d.vtu", number);
+  return name.data();
+}
+
 fs::path made_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
@@ -109,18 +115,17 @@ void FrameRecorder::step(const StepView& view) {
 void FrameRecorder::archive(StateArchive& archive) {
   archive(next_, files_->count);
   // A run whose disk was full has removed its frames.
-  if (archive.reads() && files_->count > 0 && fs::is_empty(files_->folder))
-    throw FileError{files_->folder.string() + ": the frames before the checkpoint are not there any more."};
+  for (int i = 0; archive.reads() && i < files_->count; ++i)
+    if (const fs::path frame = files_->folder / name_of_frame(i); !fs::exists(frame))
+      throw FileError{frame.string() + ": this frame from before the checkpoint is not there any more."};
   archive(files_->list);
 }
 
 void FrameRecorder::write(const StepView& view) {
   const double time = view.state.time();
-  std::array<char, 32> name;
-  std::snprintf(name.data(), name.size(), "frame_%06d.vtu", files_->count++);
-  files_->vtk.write_frame(scene_, fields_of(scene_, view, storey_shears_.evaluate(view.state)),
-                          files_->folder / name.data());
-  files_->list.add(time, std::string{results_file::frames_folder} + "/" + name.data());
+  const std::string name = name_of_frame(files_->count++);
+  files_->vtk.write_frame(scene_, fields_of(scene_, view, storey_shears_.evaluate(view.state)), files_->folder / name);
+  files_->list.add(time, std::string{results_file::frames_folder} + "/" + name);
   while (next_ <= time * (1.0 + 1e-12)) next_ += interval_;
 }
 

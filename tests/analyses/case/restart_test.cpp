@@ -103,7 +103,7 @@ Restarted in_plan() {
   return each;
 }
 
-Restarted of_frame() {
+Restarted of_frame(double damping_ratio = 0.02) {
   Restarted each;
   const MemberSection section{.area = 0.02 * m_2, .I_y = 8e-4 * m_4, .I_z = 8e-4 * m_4};
   Frame frame = testing::plane_frame(
@@ -112,7 +112,7 @@ Restarted of_frame() {
   const auto building = add(
       each.model,
       Superstructure{.condensed = frame.condensed(),
-                     .damping = ModalDamping{0.02},
+                     .damping = ModalDamping{damping_ratio},
                      .base = SuperstructureBase{.mass = 55 * tonne},
                      .isolation = LeadRubberBearing{
                          .yield_force = 110 * kN, .yield_displacement = 1 * cm, .post_yield_stiffness = 1 * MN / m}});
@@ -144,7 +144,7 @@ struct Run {
 
   // All numbers of its results, as bytes.
   std::string results() {
-    CaseResult result = run.take_result();
+    CaseResult result = run.result();
     StateArchive bytes;
     bytes(result.peaks, result.clearances, result.impacts, result.contact_sensitivity, result.warnings,
           result.assumptions);
@@ -153,10 +153,12 @@ struct Run {
     for (BearingCheckRow& row : result.bearing_checks) bytes(row.demand.demand, row.demand.time);
     std::vector<Peak> largest_forces = forces.peaks();
     bytes(largest_forces);
-    const EnergyBalance& energy = result.energy;
-    for (double each : {energy.input, energy.strain, energy.kinetic, energy.viscous, energy.hysteretic, energy.impact,
-                        energy.friction, energy.integration_error, energy.equation_residual, energy.largest_kinetic})
-      bytes(each);
+    EnergyBalance& energy = result.energy;
+    bytes(energy.input, energy.weight_work, energy.kinetic, energy.strain, energy.viscous, energy.hysteretic,
+          energy.impact, energy.friction, energy.equation_residual, energy.integration_error, energy.largest_input,
+          energy.largest_kinetic, energy.round_off, energy.worst_element, energy.worst_element_error);
+    for (const auto* places : {&energy.bearings, &energy.gaps})
+      for (DissipatedEnergy each : *places) bytes(each.value);
     for (SolverStatistics* each : {&result.solver, &result.error_bars.companion_solver}) {
       each->cpu_seconds = 0.0;
       bytes(*each);
@@ -268,6 +270,8 @@ TEST(Restart, RefusesTheStateOfAnotherModelMotionOrMethod) {
   finer.options.transient.tolerance = 1e-5;
   for (const Restarted& each : {wider, stronger, finer, on_line({.integrator = ExactBetweenEvents{}})})
     EXPECT_EQ(refusal(each, state), "The saved state is that of another model, motion or method.");
+  EXPECT_EQ(refusal(of_frame(0.03), state_of(of_frame())),
+            "The saved state is that of another model, motion or method.");
 }
 
 TEST(Restart, RefusesAStateThatIsTooShortOrTooLong) {

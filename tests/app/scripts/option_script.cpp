@@ -3,6 +3,8 @@
 
 #include <cstdio>
 
+#include "base/text/terminal.hpp"
+
 using namespace moat;
 using namespace moat::units;
 
@@ -18,7 +20,7 @@ int main(int argc, char** argv) {
   std::printf("hertz %.17g\n", script.hertz_stiffness("hertz", 8 * N / m_3_2, "a Hertz stiffness").si());
   std::printf("number %.17g\n", script.number("number", 0.65, "a plain number"));
   std::printf("integer %d\n", script.integer("integer", 5, "a whole number"));
-  std::printf("text %s\n", script.text("text", "none", "any text").c_str());
+  std::printf("text %s\n", printable(script.text("text", "none", "any text")).c_str());
   std::fflush(stdout);
   Model model;
   add(model, Node{.name = "body", .mass = 1 * kg, .free = true});

@@ -51,5 +51,17 @@ TEST(ThinnedLine, KeepsALoopWithinAQuarterPixel) {
   EXPECT_GT(farthest, 0.0);
 }
 
+TEST(ThinnedLine, KeepsTheTurnsOfALoopOnOneLine) {
+  // To and fro between 0 and 40 pixels: every point lies on the line through any two others.
+  std::vector<Pixel> points;
+  for (int i = 0; i <= 2000; ++i) {
+    const double way = std::abs(i % 80 - 40);
+    points.push_back({0.8 * way, 0.6 * way});
+  }
+  const std::vector<Pixel> thin = thinned_line(points, 100);
+  ASSERT_EQ(thin.size(), 51u);
+  for (std::size_t turn = 0; turn < thin.size(); ++turn) EXPECT_EQ(thin[turn].x, turn % 2 == 0 ? 32.0 : 0.0) << turn;
+}
+
 }  // namespace
 }  // namespace moat

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "analyses/time_history/transient.hpp"
+#include "output/peaks/peak_recorder.hpp"
 #include "small_models.hpp"
 
 namespace moat {
@@ -174,6 +175,22 @@ TEST(ImpactRecorder, ListsOverlappingContactsInOrderOfTouch) {
     EXPECT_NEAR(together.largest_force, expected[0].largest_force, 1e-4 * expected[0].largest_force);
     EXPECT_NEAR(together.largest_indentation, expected[0].largest_indentation, 1e-4 * expected[0].largest_indentation);
   }
+}
+
+TEST(ImpactRecorder, TheLargestForceIsThatOfThePeaks) {
+  // Both ask the law for its force where the cubic through the forces at the ends of a step turns.
+  const Model model = body_at_speed(0.4, 0.65);
+  ImpactRecorder recorder;
+  PeakRecorder peaks{model};
+  Transient analysis{model, still_ground(1 * s, 1 * s), {.step = 4 * ms}};
+  analysis.attach(recorder);
+  analysis.attach(peaks);
+  analysis.run();
+  ASSERT_EQ(recorder.impacts().size(), 1u);
+  const std::vector<Peak> found = peaks.peaks();
+  const auto force = std::ranges::find(found, "impact_force", &Peak::quantity);
+  ASSERT_NE(force, found.end());
+  EXPECT_EQ(recorder.impacts()[0].largest_force, force->value);
 }
 
 TEST(ImpactRecorder, NothingTouchesNothingIsListed) { EXPECT_TRUE(impacts(body_at_speed(0.01, 0.65), 1.0).empty()); }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "elements/contact/gap.hpp"
 #include "elements/line/shear_spring.hpp"
 #include "elements/line/viscous_damper.hpp"
 #include "moved_model.hpp"
@@ -31,6 +32,21 @@ TEST(StoreyShears, AddUpTheSpringsBetweenTheSameFloors) {
   ASSERT_EQ(values.size(), 2u);
   EXPECT_NEAR(values[0], 10.0, 1e-12);
   EXPECT_NEAR(values[1], -6.0, 1e-12);
+}
+
+TEST(StoreyShears, AreWithoutContactsBetweenTheFloors) {
+  Model model;
+  const NodeId floor = add(model, Node{.name = "floor", .mass = 1 * kg});
+  add(model, ShearSpring{.name = "storey", .lower = ground, .upper = floor, .stiffness = 1000 * N / m});
+  add(model,
+      Gap<LinearElastic>{
+          .name = "stop", .left = floor, .right = ground, .clearance = 4 * mm, .law = {.stiffness = 1 * MN / m}});
+  AnalysisState state{model};
+  testing::move_to(state, Vector{{0.01}});
+  testing::commit_with_regimes(state);
+  EXPECT_NEAR(state.internal_forces()[floor.index], 10.0 + 6000.0, 1e-9) << "the stop pushes";
+  StoreyShears shears{model, {{ground, floor}}};
+  EXPECT_NEAR(shears.evaluate(state)[0], 10.0, 1e-12);
 }
 
 TEST(StoreyShears, InPlanAreTheLengthOfTheSumOfAllColumns) {

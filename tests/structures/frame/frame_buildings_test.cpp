@@ -28,7 +28,7 @@ CaseResult run(const Model& model) {
   CaseRun run{
       model, shaking(), {.transient = {.step = 2 * ms, .force_tolerance = 1e-12}, .error_bars = ErrorBarMode::never}};
   run.run();
-  return run.take_result();
+  return run.result();
 }
 
 void expect_equal(const CaseResult& a, const std::string& place_a, const CaseResult& b, const std::string& place_b,

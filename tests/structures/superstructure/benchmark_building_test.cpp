@@ -205,7 +205,7 @@ class Frame12 : public ::testing::Test {
       add(model, Moat{.around = parts.base, .clearance = 25 * cm, .law = LinearElastic{.stiffness = 2e8 * N / m}});
     CaseRun run{model, testing::newhall(false)};
     run.run();
-    return run.take_result();
+    return run.result();
   }
 };
 

@@ -89,7 +89,7 @@ void expect_sum_of_bearings(const CaseResult& result, const std::string& shear, 
 CaseResult run(const Model& model, const GroundMotion& motion, const TransientOptions& options) {
   CaseRun run{model, motion, {.transient = options, .error_bars = ErrorBarMode::never}};
   run.run();
-  return run.take_result();
+  return run.result();
 }
 
 const std::vector<std::pair<std::string, std::string>>& peaks_on_line() {
