@@ -90,6 +90,26 @@ TEST(AxialForces, OfASlidingBlockBelongToTheSameInstant) {
   }
 }
 
+// N' = m h j/(2 b), while friction follows N and j follows friction.
+TEST(AxialForces, RatesOfASlidingBlockBelongToItsJerk) {
+  Block block;
+  block.left.friction = 0.05;
+  block.right.friction = 0.10;
+  block.left.restoring_stiffness = block.right.restoring_stiffness = 1 * MN / m;
+  block.initial_velocity = 1.5;
+  block.build();
+  Transient analysis{block.model, constant_acceleration(0.0), {}};
+  double largest = 0.0;
+  while (analysis.state().time() < 0.5) {
+    analysis.advance();
+    const double expected =
+        block.weight / gravity * block.height * analysis.state().jerk(block.node) / (2.0 * block.half_width);
+    EXPECT_NEAR(analysis.state().weights()[0].bearings()[0].rate, expected, 1e-9 * block.weight);
+    largest = std::max(largest, std::abs(expected));
+  }
+  EXPECT_GT(largest, 0.1 * block.weight);
+}
+
 TEST(AxialForces, UpliftOfAStuckBlockBeginsAtGTimesHalfWidthOverHeight) {
   for (const double factor : {0.999, 1.001}) {
     Block block;
