@@ -49,7 +49,9 @@ StudyEvent exceeds(std::string quantity, std::string where, double threshold) {
 }
 
 StudyEvent exceeds(std::string quantity, std::string where, double threshold, std::string unit) {
-  return [event = exceeds(quantity, where, threshold), quantity, where, unit](const CaseOutcome& outcome) {
+  StudyEvent event = exceeds(quantity, where, threshold);
+  return [event = std::move(event), quantity = std::move(quantity), where = std::move(where),
+          unit = std::move(unit)](const CaseOutcome& outcome) {
     for (const NamedNumber& each : outcome.results)
       if (each.quantity == quantity && each.where == where && each.unit != unit)
         throw InputError{"exceeds: " + quantity + " of " + where + " is in " + each.unit + ", the threshold in " +

@@ -68,7 +68,7 @@ std::vector<BearingDemand> demands(const BearingCapacities& capacities, CheckRul
 class BearingChecks {
  public:
   /// capacities: checked. rules: as in demands().
-  BearingChecks(BearingCapacities capacities, CheckRules rules) : capacities_{std::move(capacities)}, rules_{rules} {}
+  BearingChecks(const BearingCapacities& capacities, CheckRules rules) : capacities_{capacities}, rules_{rules} {}
 
   /// Takes an instant; the compression of the first one is that at rest.
   void take(DemandAt at);
