@@ -35,35 +35,6 @@ std::string saved(moat::fuzz::SavedState state) {
   return archive.take();
 }
 
-std::string cosmos() {
-  std::vector<double> integers(100, -999.0), reals(100, -999.0);
-  integers[0] = 2;
-  integers[1] = 1;
-  integers[2] = 4;
-  integers[53] = 90;
-  reals[61] = 5.0;
-  reals[62] = 0.055;
-  return "Corrected acceleration    (Format v01.20 with 13 text lines) Src: synthetic\r\n" + lines(12) +
-         " 100 Integer-header values follow on  10 lines, Format= (10I8)\r\n" + table(integers, "%8.0f", 10) +
-         " 100 Real-header values follow on  17 lines, Format= (6F13.6)\r\n" + table(reals, "%13.6f", 6) +
-         "   1 Comment line(s) follow, each starting with a \"|\":\r\n| synthetic\r\n"
-         "      11 acceleration pts, approx    0 secs, units=cm/sec2(04),Format=(8F10.5)\r\n" +
-         table(wave, "%10.5f", 8) + "End-of-data for Chan  1 acceleration\r\n";
-}
-
-std::string dyna() {
-  return "EVENT_NAME: NONE\nEVENT_ID: E1\nEVENT_DATE_YYYYMMDD: 20160824\nEVENT_TIME_HHMMSS: 013632\nNETWORK: IT\n"
-         "STATION_CODE: ABC\nLOCATION: 00\nDATE_TIME_FIRST_SAMPLE_YYYYMMDD_HHMMSS: 20160824_013630.000\n"
-         "SAMPLING_INTERVAL_S: 0.01\nNDATA: 3\nDURATION_S: 0.02\nSTREAM: HNE\nUNITS: cm/s^2\n"
-         "PGA_CM/S^2: -2.5\nPROCESSING: automatic\nDATA_TYPE: ACCELERATION\nHEADER_FORMAT: DYNA 1.2\n1.0\n-2.5\n0.5\n";
-}
-
-std::string peer(const std::string& component) {
-  return "PEER NGA STRONG MOTION DATABASE RECORD\nA town, 1/16/1995, A station, " + component +
-         "\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS=   5, DT=   .0100 SEC\n  .1E-01 -.2E-01-.3E-01  .0E+00 "
-         ".1E-02\n";
-}
-
 }  // namespace
 
 int main(int count, char** words) {
@@ -80,7 +51,7 @@ int main(int count, char** words) {
                  volume_channel("L", false) + volume_channel("V", false),
                  unam,
                  cosmos(),
-                 dyna(),
+                 dyna,
                  peer("KJM, 90"),
                  peer("UP"),
                  "A station\nA town\nACCELERATION IN G\n 3 0.0100 NPTS, DT\n 0.1 0.2 0.3\n",

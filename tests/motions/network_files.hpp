@@ -172,8 +172,9 @@ inline std::string cosmos() {
          table(wave, "%10.5f", 8) + "End-of-data for Chan  1 acceleration\n";
 }
 
-inline const std::string peer =
-    "PEER NGA STRONG MOTION DATABASE RECORD\nKobe Japan, 1/16/1995, KJMA, 000\n"
-    "ACCELERATION TIME SERIES IN UNITS OF G\nNPTS= 4, DT= .1 SEC\n 0.0 0.1 -0.2 0.0\n";
+inline std::string peer(const std::string& component = "000") {
+  return "PEER NGA STRONG MOTION DATABASE RECORD\nKobe Japan, 1/16/1995, KJMA, " + component +
+         "\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS= 4, DT= .1 SEC\n  .1E-01 -.2E-01-.3E-01  .0E+00\n";
+}
 
 }  // namespace moat::networks

@@ -38,7 +38,7 @@ const std::vector<HeaderTexts> headers{
     {networks::smc(), {"SAF0A", "San Francisco, 1295", "1989  10  18", "epicentral", "360"}},
     {networks::csmip_channel("360 Deg", 360, "(8f10.5)"), {"15481673", "WLT", "Line of a synthetic file", "360 Deg"}},
     {networks::unam, {"Line of a synthetic file", "XYZ1", "N90E"}},
-    {networks::peer, {"Kobe Japan", "KJMA", "PEER NGA", "000"}},
+    {networks::peer(), {"Kobe Japan", "KJMA", "PEER NGA", "000"}},
     {"# a remark\n0.00 0.1\n0.01 0.2\n0.02 0.1\n", {"a remark"}},
 };
 
@@ -90,7 +90,7 @@ TEST_F(HostileRecords, KeepTextsOfHeadersAndNames) {
     for (const HeaderTexts& header : headers)
       for (const std::string& word : header.words)
         read(std::to_string(++number) + ".txt", testing::replaced(header.record, word, text));
-    read(testing::file_name(text) + ".AT2", networks::peer);
+    read(testing::file_name(text) + ".AT2", networks::peer());
 
     Model model;
     add(model, Node{.name = "body", .mass = 1 * kg, .free = true});
@@ -112,7 +112,7 @@ TEST_F(HostileRecords, AreFoundAgainByTheirTable) {
   for (const std::string name : {"=cmd|' _C calc'!A0", "@SUM(1+1)", "a,b;c'd", "-2+3", "'quoted'"}) {
     const fs::path records = folder / name;
     fs::create_directory(records);
-    std::ofstream{records / (name + ".AT2")} << networks::peer;
+    std::ofstream{records / (name + ".AT2")} << networks::peer();
     const std::vector<Record> before = read_records(records);
     write_record_table(records / "records.csv", records);
     const std::vector<Record> after = read_records(records);
